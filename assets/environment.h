@@ -1,0 +1,26 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace rambla::assets {
+
+/// Sun and sky. Radiance 1.0 is diffuse white under the noon sun; illuminance π gives a white Lambert surface
+/// that faces the sun radiance 1.0.
+struct Environment {
+    glm::vec3 direction_to_sun{0.0f, 1.0f, 0.0f};  ///< unit length, world axes
+    glm::vec3 sun_illuminance{0.0f};               ///< zero means no sun
+    glm::vec3 sky_zenith_radiance{0.0f};
+    glm::vec3 sky_horizon_radiance{0.0f};
+    glm::vec3 ground_radiance{0.0f};  ///< what the lower half of the sky sends upwards: light bounced off the ground
+};
+
+/// Clear sky at noon in early summer: the light of the street's standard walk and of viewed files that bring none.
+[[nodiscard]] inline Environment noon() {
+    return {.direction_to_sun = glm::normalize(glm::vec3{0.42f, 0.80f, 0.36f}),
+            .sun_illuminance = glm::vec3{3.05f, 2.86f, 2.58f},
+            .sky_zenith_radiance = glm::vec3{0.135f, 0.245f, 0.50f},
+            .sky_horizon_radiance = glm::vec3{0.52f, 0.64f, 0.78f},
+            .ground_radiance = glm::vec3{0.17f, 0.155f, 0.135f}};
+}
+
+}  // namespace rambla::assets

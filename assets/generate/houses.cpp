@@ -1,0 +1,116 @@
+#include "assets/generate/houses.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "assets/generate/node.h"
+
+namespace rambla::assets::generate {
+
+namespace {
+
+constexpr std::size_t k_variants = 6;
+constexpr std::size_t k_corner_variants = 6;
+constexpr std::size_t k_plaster_schemes = 14;
+constexpr std::size_t k_brick_schemes = 2;
+constexpr float k_lit_shop_share = 0.4f;
+
+/// Three to six upper storeys, each height among every width's variants.
+int storeys_of(std::size_t variant) { return 3 + static_cast<int>(variant % 4); }
+
+std::uint32_t add_light(Scene& scene, const char* name, LightKind kind, float intensity, float range) {
+    Light light;
+    light.name = name;
+    light.kind = kind;
+    light.colour = {1.0f, 0.80f, 0.55f};
+    light.intensity = intensity;
+    light.range_m = range;
+    light.inner_cone_rad = 0.5f;
+    light.outer_cone_rad = 1.0f;
+    scene.lights.push_back(light);
+    return static_cast<std::uint32_t>(scene.lights.size() - 1);
+}
+
+}  // namespace
+
+Transform transform_of(const Frame& frame) {
+    const float angle = std::atan2(frame.out.x, frame.out.z);
+    Transform transform;
+    transform.translation_m = frame.origin_m;
+    transform.rotation = {std::cos(0.5f * angle), 0.0f, std::sin(0.5f * angle), 0.0f};
+    return transform;
+}
+
+Houses::Houses(Scene& scene, const Palette& palette, std::uint64_t seed) : scene_{scene} {
+    struct Built {
+        std::vector<Builder::Part> parts;
+        std::vector<FacadeLight> lights;
+        FacadeStyle style;
+    };
+    constexpr std::size_t k_rows = k_widths_m.size() * k_variants;
+    std::vector<Built> built(k_rows + k_corner_variants);
+    tbb::parallel_for(std::size_t{0}, built.size(), [&](std::size_t i) {
+        Draws draws{seed, i};
+        Builder builder;
+        Built& house = built[i];
+        if (i < k_rows) {
+            house.style = draw_style(draws, storeys_of(i % k_variants));
+            house.lights = build_row_house(builder, k_widths_m[i / k_variants], house.style, draws);
+            house.parts = builder.take("house-" + std::to_string(i));
+        } else {
+            house.style = draw_style(draws, 3 + static_cast<int>(i % 3));
+            house.lights = build_corner_house(builder, house.style, draws);
+            house.parts = builder.take("corner-" + std::to_string(i - k_rows));
+        }
+    });
+    row_houses_.resize(k_widths_m.size());
+    for (std::size_t i = 0; i < built.size(); ++i) {
+        auto& list = i < k_rows ? row_houses_[i / k_variants] : corner_houses_;
+        list.push_back({store(scene_, std::move(built[i].parts)), std::move(built[i].lights), built[i].style});
+    }
+    Draws draws{seed, built.size()};
+    for (std::size_t i = 0; i < k_plaster_schemes; ++i) plaster_schemes_.push_back(building_scheme(palette, draws, false));
+    for (std::size_t i = 0; i < k_brick_schemes; ++i) brick_schemes_.push_back(building_scheme(palette, draws, true));
+    lamp_ = add_light(scene_, "shop-lamp", LightKind::point, 1.6f, 4.5f);
+    spot_ = add_light(scene_, "shop-spot", LightKind::spot, 4.0f, 6.0f);
+}
+
+void Houses::add_row_house(float width, const Frame& at, int most_storeys, Draws& draws) {
+    const auto found = std::min_element(k_widths_m.begin(), k_widths_m.end(), [&](float a, float b) {
+        return std::abs(a - width) < std::abs(b - width);
+    });
+    const auto& variants = row_houses_[static_cast<std::size_t>(found - k_widths_m.begin())];
+    std::vector<std::size_t> fitting;
+    for (std::size_t i = 0; i < variants.size(); ++i)
+        if (variants[i].style.upper_storeys <= most_storeys) fitting.push_back(i);
+    add(variants, fitting[draws.below(static_cast<std::uint32_t>(fitting.size()))], "house", at, draws);
+}
+
+void Houses::add_corner_house(const Frame& at, Draws& draws) {
+    add(corner_houses_, draws.below(static_cast<std::uint32_t>(corner_houses_.size())), "corner-house", at, draws);
+}
+
+void Houses::add(const std::vector<House>& houses, std::size_t index, const char* name, const Frame& at, Draws& draws) {
+    const House& house = houses[index];
+    const auto& schemes = house.style.brick ? brick_schemes_ : plaster_schemes_;
+    const std::size_t scheme = draws.below(static_cast<std::uint32_t>(schemes.size()));
+    auto [model, fresh] = models_.try_emplace({&house, scheme}, k_none);
+    if (fresh) model->second = add_model(scene_, name, house.parts, schemes[scheme]);
+
+    const std::uint32_t node = add_node(scene_, name, k_none, transform_of(at));
+    scene_.nodes[node].model = model->second;
+    scene_.roots.push_back(node);
+    for (const FacadeLight& light : house.lights) {
+        if (!draws.chance(k_lit_shop_share)) continue;
+        Transform local;
+        local.translation_m = light.position_m;
+        // Lights shine along −z; a quarter turn about x points that down.
+        if (light.spot) local.rotation = {std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f};
+        scene_.nodes[add_node(scene_, light.spot ? "shop-spot" : "shop-lamp", node, local)].light = light.spot ? spot_ : lamp_;
+    }
+}
+
+}  // namespace rambla::assets::generate

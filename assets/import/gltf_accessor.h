@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "assets/import/gltf_document.h"
+
+namespace rambla::assets::gltf {
+
+/// Typed reading of one accessor: any component type, interleaved, sparse, or without a buffer view (zeros).
+/// The constructor checks every offset, count and stride in 64 bits, so that reading cannot leave the buffer.
+class AccessorReader {
+public:
+    /// @param element  where the document refers to the accessor, for errors
+    /// @throws Error
+    AccessorReader(const Document& document, int accessor, std::string element);
+
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+    [[nodiscard]] int components() const { return components_; }
+    [[nodiscard]] bool is_integer() const;
+
+    /// Integers become what `normalised` of the accessor says, or [0, 1] and [−1, 1] when `always_normalise`
+    /// is set. Components that the accessor lacks are `missing`; surplus ones are dropped.
+    /// @param gather  the elements to read, ascending, each below count(); empty means all
+    template <int N>
+    [[nodiscard]] std::vector<glm::vec<N, float>> read(std::span<const std::uint32_t> gather,
+                                                       float missing = 0.0f,
+                                                       bool always_normalise = false) const;
+
+    /// Scalars of an unsigned type, all in order. @throws Error  for other types
+    [[nodiscard]] std::vector<std::uint32_t> read_indices() const;
+
+private:
+    struct Bytes {
+        const unsigned char* first = nullptr;  ///< null: all elements are zero
+        std::uint64_t stride = 0;
+    };
+    [[nodiscard]] Bytes bytes_of_view(int view, std::int64_t offset, std::uint64_t count,
+                                      std::uint64_t element_bytes, bool may_interleave,
+                                      const std::string& where) const;
+    [[nodiscard]] std::vector<std::uint32_t> sparse_indices() const;
+    [[nodiscard]] float component(const unsigned char* bytes, bool normalised) const;
+    template <int N>
+    [[nodiscard]] glm::vec<N, float> element(const unsigned char* bytes, float missing,
+                                             bool normalised) const;
+
+    const Document& document_;
+    std::string element_;
+    std::uint64_t count_ = 0;
+    int components_ = 0;
+    int component_type_ = 0;
+    std::uint64_t component_bytes_ = 0;
+    bool normalised_ = false;
+    Bytes base_;
+    std::uint64_t sparse_count_ = 0;
+    int sparse_index_type_ = 0;
+    Bytes sparse_index_bytes_;
+    Bytes sparse_values_;
+};
+
+}  // namespace rambla::assets::gltf

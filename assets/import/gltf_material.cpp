@@ -1,0 +1,120 @@
+#include "assets/import/gltf_material.h"
+
+#include <algorithm>
+
+#include "assets/import/gltf_files.h"
+#include "assets/import/gltf_value.h"
+
+namespace rambla::assets::gltf {
+
+namespace {
+
+/// Of the light that a transmissive surface lets through, the part that replaces the surface itself.
+constexpr float k_transmission_to_alpha = 0.9f;
+
+class MaterialImport {
+public:
+    MaterialImport(const Document& document, const tinygltf::Material& source, std::string element)
+        : document_{document}, source_{source}, element_{std::move(element)} {}
+
+    Material run() {
+        material_.name = source_.name;
+        read_base();
+        read_surface();
+        read_alpha();
+        read_emission();
+        material_.unlit = source_.extensions.contains("KHR_materials_unlit");
+        read_transmission();
+        return std::move(material_);
+    }
+
+private:
+    template <class Info>
+    TextureSlot slot(const Info& info, const char* name) const {
+        TextureSlot out;
+        if (info.index < 0) return out;
+        const std::string element = element_ + "." + name;
+        out.texture =
+            document_.checked(info.index, document_.model.textures.size(), element + ".index", "texture");
+        int uv_set = info.texCoord;
+        if (const auto found = info.extensions.find("KHR_texture_transform");
+            found != info.extensions.end()) {
+            const tinygltf::Value& transform = found->second;
+            out.offset = vector_of<2>(transform, "offset", out.offset);
+            out.scale = vector_of<2>(transform, "scale", out.scale);
+            out.rotation_rad = number_of(transform, "rotation", 0.0f);
+            uv_set = static_cast<int>(number_of(transform, "texCoord", static_cast<float>(uv_set)));
+        }
+        if (uv_set != 0 && uv_set != 1) {
+            document_.warn(element,
+                           "TEXCOORD_" + std::to_string(uv_set) + " is not supported, TEXCOORD_0 is used");
+            uv_set = 0;
+        }
+        out.uv_set = static_cast<std::uint32_t>(uv_set);
+        return out;
+    }
+
+    void read_base() {
+        const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
+        for (int c = 0; c < 4; ++c)
+            material_.base_colour[c] = unit_interval(pbr.baseColorFactor[static_cast<std::size_t>(c)]);
+        material_.metalness = unit_interval(pbr.metallicFactor);
+        material_.roughness = unit_interval(pbr.roughnessFactor);
+        material_.base_colour_texture = slot(pbr.baseColorTexture, "pbrMetallicRoughness.baseColorTexture");
+        material_.metalness_roughness_texture =
+            slot(pbr.metallicRoughnessTexture, "pbrMetallicRoughness.metallicRoughnessTexture");
+    }
+
+    void read_surface() {
+        material_.normal_texture = slot(source_.normalTexture, "normalTexture");
+        material_.normal_scale = finite_float(source_.normalTexture.scale);
+        material_.occlusion_texture = slot(source_.occlusionTexture, "occlusionTexture");
+        material_.occlusion_strength = unit_interval(source_.occlusionTexture.strength);
+        material_.double_sided = source_.doubleSided;
+    }
+
+    void read_alpha() {
+        if (source_.alphaMode == "MASK")
+            material_.alpha_mode = AlphaMode::mask;
+        else if (source_.alphaMode == "BLEND")
+            material_.alpha_mode = AlphaMode::blend;
+        else if (source_.alphaMode != "OPAQUE" && !source_.alphaMode.empty())
+            document_.warn(element_ + ".alphaMode",
+                           in_quotes(source_.alphaMode) + " is unknown, OPAQUE is used");
+        material_.alpha_cutoff = std::max(finite_float(source_.alphaCutoff), 0.0f);
+    }
+
+    void read_emission() {
+        material_.emissive_texture = slot(source_.emissiveTexture, "emissiveTexture");
+        if (source_.emissiveFactor.size() == 3)
+            for (int c = 0; c < 3; ++c)
+                material_.emissive[c] = unit_interval(source_.emissiveFactor[static_cast<std::size_t>(c)]);
+        if (const auto found = source_.extensions.find("KHR_materials_emissive_strength");
+            found != source_.extensions.end())
+            material_.emissive *= std::max(number_of(found->second, "emissiveStrength", 1.0f), 0.0f);
+    }
+
+    void read_transmission() {
+        const auto found = source_.extensions.find("KHR_materials_transmission");
+        if (found == source_.extensions.end()) return;
+        const float transmission = unit_interval(number_of(found->second, "transmissionFactor", 0.0f));
+        if (transmission <= 0.0f) return;
+        material_.alpha_mode = AlphaMode::blend;
+        material_.base_colour.w *= 1.0f - k_transmission_to_alpha * transmission;
+    }
+
+    const Document& document_;
+    const tinygltf::Material& source_;
+    std::string element_;
+    Material material_;
+};
+
+}  // namespace
+
+void import_materials(const Document& document, Scene& scene) {
+    const std::vector<tinygltf::Material>& materials = document.model.materials;
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        scene.materials.push_back(MaterialImport{document, materials[i], element_name("materials", i)}.run());
+}
+
+}  // namespace rambla::assets::gltf

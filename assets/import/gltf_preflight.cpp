@@ -1,0 +1,177 @@
+#include "assets/import/gltf_preflight.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "assets/error.h"
+#include "assets/import/gltf_files.h"
+
+namespace rambla::assets::gltf {
+
+namespace {
+
+/// Deeper than any real document, shallow enough for recursive readers.
+constexpr std::size_t k_deepest = 256;
+
+constexpr std::array<std::string_view, 6> k_supported{
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_transmission",
+    "KHR_materials_unlit", "KHR_mesh_quantization",           "KHR_texture_transform"};
+
+constexpr double k_exact_integers = 9007199254740992.0;  // 2⁵³
+
+/// The value of "1.0", "1e0" and the like; nothing for other numbers, plain integers, and −0, which must keep
+/// its sign.
+std::optional<std::int64_t> integral_float(std::string_view number) {
+    if (number.find_first_of(".eE") == std::string_view::npos) return std::nullopt;
+    double value = 0.0;
+    const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (failed != std::errc{} || end != number.data() + number.size()) return std::nullopt;
+    if (value != std::floor(value) || std::abs(value) >= k_exact_integers) return std::nullopt;
+    if (value == 0.0 && std::signbit(value)) return std::nullopt;
+    return static_cast<std::int64_t>(value);
+}
+
+/// nlohmann's reader calls this for every token; returning false ends the walk.
+class Walk final : public nlohmann::json_sax<nlohmann::json> {
+public:
+    Walk(const std::string& file, const ImportLimits& limits) : file_{file}, limits_{limits} {}
+
+    Preflight found;
+
+    bool null() override { return value(); }
+    bool boolean(bool) override { return value(); }
+    bool number_integer(number_integer_t) override { return value(); }
+    bool number_float(number_float_t number, const string_t& text) override {
+        found.has_integral_floats = found.has_integral_floats || integral_float(text).has_value();
+        if (in_buffer() && key_ == "byteLength" && number >= 0.0 && number < k_exact_integers)
+            found.buffers.back().byte_length = static_cast<std::uint64_t>(number);
+        return value();
+    }
+    bool binary(binary_t&) override { return value(); }
+    bool number_unsigned(number_unsigned_t number) override {
+        if (in_buffer() && key_ == "byteLength") found.buffers.back().byte_length = number;
+        return value();
+    }
+    bool string(string_t& text) override {
+        if (path_.size() == 2 && path_[1] == "asset" && key_ == "version") found.version = text;
+        if (path_.size() == 2 && path_[1] == "asset" && key_ == "minVersion") found.min_version = text;
+        if (path_.size() == 2 && path_[1] == "extensionsRequired") found.extensions_required.push_back(text);
+        if (in_buffer() && key_ == "uri") {
+            BufferClaim& claim = found.buffers.back();
+            const bool is_data = text.starts_with("data:");
+            claim.source = is_data ? BufferClaim::Source::data_uri : BufferClaim::Source::external;
+            if (!is_data) claim.uri = text;
+        }
+        return value();
+    }
+    bool key(string_t& name) override {
+        key_ = name;
+        // Of repeated keys the last one counts, as for tinygltf.
+        if (in_buffer() && name == "uri") found.buffers.back().source = BufferClaim::Source::none;
+        return true;
+    }
+    bool start_object(std::size_t) override {
+        if (path_.size() == 2 && path_[1] == "buffers") found.buffers.emplace_back();
+        return open();
+    }
+    bool start_array(std::size_t) override { return open(); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override {
+        std::string_view text = error.what();
+        if (const std::size_t prefix = text.find("] "); prefix != std::string_view::npos)
+            text.remove_prefix(prefix + 2);
+        throw Error{file_, "JSON", in_quotes(text), "glTF 2.0"};
+    }
+
+private:
+    bool in_buffer() const { return path_.size() == 3 && path_[1] == "buffers" && !found.buffers.empty(); }
+
+    bool value() {
+        if (path_.size() == 2) ++found.counts[path_[1]];
+        if (++values_ > limits_.json_values)
+            throw Error{file_, "JSON", "more than " + std::to_string(limits_.json_values) + " values",
+                        "fewer"};
+        return true;
+    }
+    bool open() {
+        value();
+        path_.push_back(path_.size() == 1 ? key_ : std::string{});
+        if (path_.size() > k_deepest)
+            throw Error{file_, "JSON", "a value nested more than " + std::to_string(k_deepest) + " deep",
+                        "less"};
+        return true;
+    }
+    bool close() {
+        path_.pop_back();
+        return true;
+    }
+
+    const std::string& file_;
+    const ImportLimits& limits_;
+    std::vector<std::string> path_;  ///< path_[1] names the top-level member that is open
+    std::string key_;
+    std::uint64_t values_ = 0;
+};
+
+void check_version(const std::string& file, const Preflight& found) {
+    if (found.version.empty()) throw Error{file, "asset.version", "nothing", "\"2.0\""};
+    if (!found.version.starts_with("2."))
+        throw Error{file, "asset.version", in_quotes(found.version), "\"2.0\""};
+    if (!found.min_version.empty() && found.min_version != "2.0")
+        throw Error{file, "asset.minVersion", in_quotes(found.min_version), "\"2.0\""};
+}
+
+}  // namespace
+
+std::string with_plain_integers(std::string_view json) {
+    constexpr std::string_view k_number = "+-.0123456789eE";
+    std::string out;
+    out.reserve(json.size());
+    for (std::size_t i = 0; i < json.size();) {
+        std::size_t end = i + 1;
+        if (json[i] == '"') {
+            while (end < json.size() && json[end] != '"')
+                end += json[end] == '\\' ? 2 : 1;
+            end = std::min(end + 1, json.size());
+            out.append(json.substr(i, end - i));
+        } else if (json[i] == '-' || (json[i] >= '0' && json[i] <= '9')) {
+            end = std::min(json.find_first_not_of(k_number, i), json.size());
+            const std::string_view number = json.substr(i, end - i);
+            if (const std::optional<std::int64_t> integer = integral_float(number))
+                out.append(std::to_string(*integer));
+            else
+                out.append(number);
+        } else {
+            out.push_back(json[i]);
+        }
+        i = end;
+    }
+    return out;
+}
+
+bool supports_extension(std::string_view name) {
+    return std::find(k_supported.begin(), k_supported.end(), name) != k_supported.end();
+}
+
+Preflight preflight(const std::string& file, std::string_view json, const ImportLimits& limits) {
+    const std::uint64_t longest =
+        std::min<std::uint64_t>(limits.json_bytes, 0xffffffffu);  // tinygltf counts in 32 bits
+    if (json.size() > longest)
+        throw Error{file, "JSON", std::to_string(json.size()) + " bytes",
+                    "at most " + std::to_string(longest)};
+    Walk walk{file, limits};
+    nlohmann::json::sax_parse(json, &walk);
+    check_version(file, walk.found);
+    for (const std::string& name : walk.found.extensions_required)
+        if (!supports_extension(name))
+            throw Error{file, "extensionsRequired", in_quotes(name), "an extension that is supported"};
+    return std::move(walk.found);
+}
+
+}  // namespace rambla::assets::gltf

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "assets/import/gltf.h"
+
+namespace rambla::assets::gltf {
+
+/// What a document says of one of its buffers.
+struct BufferClaim {
+    enum class Source { none, data_uri, external };
+    Source source = Source::none;
+    std::string uri;  ///< only for external ones
+    std::uint64_t byte_length = 0;
+};
+
+/// What must be known of a document before it is handed to tinygltf, which trusts its input in places.
+struct Preflight {
+    std::string version;
+    std::string min_version;
+    std::vector<std::string> extensions_required;
+    std::vector<BufferClaim> buffers;
+    std::map<std::string, std::uint64_t, std::less<>> counts;  ///< elements of each top-level array
+    bool has_integral_floats = false;                          ///< numbers such as 1.0 or 1e0
+};
+
+/// Walks the JSON once without keeping it: its syntax, its depth (tinygltf recurses), its number of values
+/// (tinygltf multiplies them), its version and its required extensions.
+/// @throws Error  for broken JSON, another version than 2.x, and every required extension that is not
+/// supported
+[[nodiscard]] Preflight preflight(const std::string& file, std::string_view json, const ImportLimits& limits);
+
+/// The same JSON with "1.0" and "1e0" written as "1": glTF takes all for integers, tinygltf only the last.
+[[nodiscard]] std::string with_plain_integers(std::string_view json);
+
+/// Whether files that use the extension look as they should.
+[[nodiscard]] bool supports_extension(std::string_view name);
+
+}  // namespace rambla::assets::gltf

@@ -1,0 +1,192 @@
+#include "assets/import/gltf_texture.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cstring>
+#include <map>
+#include <utility>
+
+#include "assets/error.h"
+#include "assets/import/gltf_files.h"
+#include "assets/import/image.h"
+
+namespace rambla::assets::gltf {
+
+namespace {
+
+struct Use {
+    TextureSlot Material::*slot;
+    ColourSpace colour_space;
+};
+
+constexpr std::array<Use, 5> k_uses{{{&Material::base_colour_texture, ColourSpace::srgb},
+                                     {&Material::metalness_roughness_texture, ColourSpace::linear},
+                                     {&Material::normal_texture, ColourSpace::linear},
+                                     {&Material::occlusion_texture, ColourSpace::linear},
+                                     {&Material::emissive_texture, ColourSpace::srgb}}};
+
+WrapMode wrap_mode(int mode) {
+    switch (mode) {
+        case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+            return WrapMode::clamp_to_edge;
+        case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+            return WrapMode::mirrored_repeat;
+        default:
+            return WrapMode::repeat;
+    }
+}
+
+Sampler sampler_of(const tinygltf::Sampler& source) {
+    Sampler sampler{.wrap_u = wrap_mode(source.wrapS), .wrap_v = wrap_mode(source.wrapT)};
+    if (source.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) sampler.magnify = Filter::nearest;
+    switch (source.minFilter) {
+        case TINYGLTF_TEXTURE_FILTER_NEAREST:
+        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+            sampler.minify = Filter::nearest;
+            break;
+        default:
+            break;
+    }
+    switch (source.minFilter) {
+        case TINYGLTF_TEXTURE_FILTER_NEAREST:
+        case TINYGLTF_TEXTURE_FILTER_LINEAR:
+            sampler.mip = MipFilter::none;
+            break;
+        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+            sampler.mip = MipFilter::nearest;
+            break;
+        default:
+            break;
+    }
+    return sampler;
+}
+
+/// The encoded bytes of a picture inside a buffer view, checked like an accessor.
+std::span<const std::byte> view_bytes(const Document& document, int index, const std::string& element) {
+    const tinygltf::Model& model = document.model;
+    const tinygltf::BufferView& view =
+        model.bufferViews[document.checked(index, model.bufferViews.size(), element, "buffer view")];
+    const auto& data =
+        model.buffers[document.checked(view.buffer, model.buffers.size(), element, "buffer")].data;
+    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+        document.fail(element, "buffer view " + std::to_string(index), "to end inside its buffer");
+    return std::as_bytes(std::span{data}).subspan(view.byteOffset, view.byteLength);
+}
+
+Image decode(const Document& document, std::size_t index) {
+    const tinygltf::Image& source = document.model.images[index];
+    const std::string element = element_name("images", index);
+    const std::string name = document.path.string() + ": " + element;
+    const std::uint32_t max_size = document.limits.image_size_px;
+    if (source.bufferView >= 0)
+        return decode_image(view_bytes(document, source.bufferView, element + ".bufferView"), name, max_size);
+    if (!source.image.empty()) return decode_image(std::as_bytes(std::span{source.image}), name, max_size);
+    if (source.uri.starts_with("data:"))
+        document.fail(element + ".uri", in_quotes(source.uri.substr(0, 40)), "base64 of a PNG or JPEG");
+    const std::filesystem::path file = resolve_uri(document.path, element + ".uri", source.uri);
+    const std::vector<unsigned char> bytes = read_file(file, document.limits.file_bytes);
+    return decode_image(std::as_bytes(std::span{bytes}), name + " " + in_quotes(source.uri), max_size);
+}
+
+/// Decodes `wanted` images of the document; those that fail become placeholders.
+std::vector<Image> decode_all(const Document& document, const std::vector<std::size_t>& wanted) {
+    std::vector<Image> images(wanted.size());
+    std::vector<std::string> failures(wanted.size());
+    tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
+        const tinygltf::Image& source = document.model.images[wanted[i]];
+        const std::string name = !source.name.empty() ? source.name : source.uri;
+        try {
+            images[i] = decode(document, wanted[i]);
+            images[i].name = name;
+        } catch (const std::exception& error) {
+            images[i] = placeholder_image(name);
+            failures[i] = error.what();
+        }
+    });
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (failures[i].empty()) continue;
+        const std::string& name = images[i].name;
+        document.warn(element_name("images", wanted[i]),
+                      in_quotes(name) + " is replaced by a placeholder (" + failures[i] + ")");
+    }
+    return images;
+}
+
+class TextureImport {
+public:
+    TextureImport(const Document& document, Scene& scene) : document_{document}, scene_{scene} {}
+
+    void run() {
+        find_uses();
+        for (std::size_t i = 0; i < document_.model.textures.size(); ++i)
+            for (const ColourSpace space : {ColourSpace::srgb, ColourSpace::linear})
+                if (const auto use = textures_.find({i, space}); use != textures_.end())
+                    use->second = add(i, space);
+        for (Material& material : scene_.materials)
+            for (const Use& use : k_uses) {
+                TextureSlot& slot = material.*use.slot;
+                if (slot.texture != k_none) slot.texture = textures_.at({slot.texture, use.colour_space});
+            }
+        scene_.images = decode_all(document_, image_sources_);
+        if (needs_placeholder_) scene_.images.push_back(placeholder_image("no image"));
+        for (Texture& texture : scene_.textures)
+            if (texture.image == k_placeholder)
+                texture.image = static_cast<std::uint32_t>(image_sources_.size());
+    }
+
+private:
+    static constexpr std::uint32_t k_placeholder = k_none - 1;  ///< index of an image that is appended last
+
+    void find_uses() {
+        for (const Material& material : scene_.materials)
+            for (const Use& use : k_uses)
+                if (const std::uint32_t texture = (material.*use.slot).texture; texture != k_none)
+                    textures_[{texture, use.colour_space}] = k_none;
+    }
+
+    std::uint32_t add(std::size_t index, ColourSpace space) {
+        const tinygltf::Texture& source = document_.model.textures[index];
+        const std::string element = element_name("textures", index);
+        Texture texture{.name = source.name, .image = k_placeholder, .colour_space = space, .sampler = {}};
+        if (source.sampler >= 0)
+            texture.sampler = sampler_of(document_.model.samplers[document_.checked(
+                source.sampler, document_.model.samplers.size(), element + ".sampler", "sampler")]);
+        if (source.source >= 0) {
+            texture.image = image(document_.checked(source.source, document_.model.images.size(),
+                                                    element + ".source", "image"));
+        } else {
+            needs_placeholder_ = true;
+            if (last_without_image_ != index)
+                document_.warn(element, "has no image in a supported format, a placeholder is shown");
+            last_without_image_ = index;
+        }
+        scene_.textures.push_back(std::move(texture));
+        return static_cast<std::uint32_t>(scene_.textures.size() - 1);
+    }
+
+    std::uint32_t image(std::size_t source) {
+        const auto [place, is_new] =
+            images_.try_emplace(source, static_cast<std::uint32_t>(image_sources_.size()));
+        if (is_new) image_sources_.push_back(source);
+        return place->second;
+    }
+
+    const Document& document_;
+    Scene& scene_;
+    std::map<std::pair<std::size_t, ColourSpace>, std::uint32_t> textures_;  ///< by the document's index
+    std::map<std::size_t, std::uint32_t> images_;                            ///< by the document's index
+    std::vector<std::size_t> image_sources_;
+    bool needs_placeholder_ = false;
+    std::size_t last_without_image_ = k_none;
+};
+
+}  // namespace
+
+void import_textures(const Document& document, Scene& scene) {
+    TextureImport{document, scene}.run();
+}
+
+}  // namespace rambla::assets::gltf

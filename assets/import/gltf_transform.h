@@ -1,0 +1,21 @@
+#pragma once
+
+#include "assets/import/gltf_document.h"
+#include "assets/scene.h"
+
+namespace rambla::assets::gltf {
+
+struct Decomposition {
+    Transform transform;
+    bool exact = true;  ///< false when the matrix shears: the shear is lost
+};
+
+/// Splits an affine matrix into translation · rotation · scale. A mirroring matrix gets a negative scale
+/// along x.
+[[nodiscard]] Decomposition decompose(const glm::mat4& matrix);
+
+/// The local transform of a node, from its matrix or its parts. @throws Error
+[[nodiscard]] Transform import_transform(const Document& document, const tinygltf::Node& node,
+                                         const std::string& element);
+
+}  // namespace rambla::assets::gltf

@@ -1,0 +1,150 @@
+#include "assets/import/image.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <optional>
+#include <string_view>
+
+#include "assets/error.h"
+#include "assets/import/gltf_files.h"
+#include "assets/import/png.h"
+
+namespace rambla::assets {
+
+namespace {
+
+constexpr std::uint64_t k_largest_file = 4ull << 30;
+constexpr int k_channels = 4;
+
+struct Signature {
+    std::string_view bytes;
+    const char* format;  ///< OpenImageIO's name
+};
+
+using namespace std::string_view_literals;
+
+constexpr std::array<Signature, 9> k_signatures{{{"\x89PNG\r\n\x1a\n"sv, "png"},
+                                                 {"\xff\xd8\xff"sv, "jpeg"},
+                                                 {"#?RADIANCE"sv, "hdr"},
+                                                 {"#?RGBE"sv, "hdr"},
+                                                 {"\x76\x2f\x31\x01"sv, "openexr"},
+                                                 {"II*\0"sv, "tiff"},
+                                                 {"MM\0*"sv, "tiff"},
+                                                 {"DDS "sv, "dds"},
+                                                 {"RIFF"sv, "webp"}}};
+
+/// By content, because names lie; only Targa has no signature and is known by its name.
+std::optional<std::string> format_of(std::span<const std::byte> bytes, const std::string& name) {
+    const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    for (const Signature& signature : k_signatures)
+        if (text.starts_with(signature.bytes))
+            return signature.format == "webp"sv ? std::nullopt : std::optional<std::string>{signature.format};
+    if (name.ends_with(".tga") || name.ends_with(".TGA")) return "targa";
+    return std::nullopt;
+}
+
+/// The reason of a failure, taken so that OpenImageIO does not print it at exit.
+std::string reason(const OIIO::ImageInput* input) {
+    std::string text = input != nullptr ? input->geterror() : std::string{};
+    const std::string global = OIIO::geterror();
+    if (text.empty()) text = global;
+    return text.empty() ? "broken picture" : gltf::in_quotes(text);
+}
+
+/// Spreads `channels` values of each texel to RGBA, in place from the back: grey goes to all colours.
+template <class T>
+void spread_channels(std::vector<std::byte>& texels, std::size_t count, int channels, T opaque) {
+    if (channels == k_channels) return;
+    T* const values = reinterpret_cast<T*>(texels.data());
+    for (std::size_t i = count; i-- > 0;) {
+        const T* const in = values + i * static_cast<std::size_t>(channels);
+        const std::array<T, k_channels> out = channels == 1   ? std::array{in[0], in[0], in[0], opaque}
+                                              : channels == 2 ? std::array{in[0], in[0], in[0], in[1]}
+                                                              : std::array{in[0], in[1], in[2], opaque};
+        std::copy(out.begin(), out.end(), values + i * k_channels);
+    }
+}
+
+void check_size(const OIIO::ImageSpec& spec, const std::string& name, std::uint32_t max_size_px) {
+    const auto limit = static_cast<std::int64_t>(max_size_px);
+    if (spec.width < 1 || spec.height < 1 || spec.width > limit || spec.height > limit || spec.depth > 1)
+        throw Error{name, "", std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
+                    "1 to " + std::to_string(max_size_px) + " each way"};
+    if (spec.nchannels < 1) throw Error{name, "", "no channels", "grey or colours"};
+}
+
+Image read_texels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name) {
+    const bool is_float = spec.format.is_floating_point();
+    const int channels = std::min(spec.nchannels, k_channels);
+    Image image;
+    image.width = static_cast<std::uint32_t>(spec.width);
+    image.height = static_cast<std::uint32_t>(spec.height);
+    image.format = is_float ? PixelFormat::rgba32f : PixelFormat::rgba8;
+    const std::size_t count = static_cast<std::size_t>(image.width) * image.height;
+    image.texels.resize(count * bytes_per_texel(image.format));
+    const OIIO::TypeDesc type = is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+    if (!input.read_image(0, 0, 0, channels, type, image.texels.data()))
+        throw Error{name, "", reason(&input), ""};
+    if (is_float)
+        spread_channels<float>(image.texels, count, channels, 1.0f);
+    else
+        spread_channels<unsigned char>(image.texels, count, channels, 255);
+    return image;
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& file, std::uint32_t max_size_px) {
+    const std::vector<unsigned char> bytes = gltf::read_file(file, k_largest_file);
+    Image image = decode_image(std::as_bytes(std::span{bytes}), file.string(), max_size_px);
+    image.name = file.filename().string();
+    return image;
+}
+
+Image decode_image(std::span<const std::byte> bytes, const std::string& name, std::uint32_t max_size_px) {
+    const std::optional<std::string> format = format_of(bytes, name);
+    if (!format)
+        throw Error{name, "", bytes.empty() ? "an empty picture" : "an unknown picture format",
+                    "PNG, JPEG, HDR, EXR, TIFF, TGA or DDS"};
+    auto input = OIIO::ImageInput::create(*format);
+    if (!input) throw Error{name, "", reason(nullptr), ""};
+
+    std::vector<std::byte> essential;
+    if (*format == "png") {
+        essential = essential_png(bytes, name);
+        bytes = essential;
+    }
+    OIIO::Filesystem::IOMemReader memory{const_cast<std::byte*>(bytes.data()), bytes.size()};
+    OIIO::ImageSpec request;
+    request.attribute("oiio:UnassociatedAlpha",
+                      1);  // colours stay as stored: glTF's alpha is not premultiplied
+    OIIO::ImageSpec spec;
+    input->threads(1);  // callers decode many pictures in parallel
+    if (!input->set_ioproxy(&memory) || !input->open(name, spec, request))
+        throw Error{name, "", reason(input.get()), ""};
+    check_size(spec, name, max_size_px);
+    Image image = read_texels(*input, spec, name);
+    input->close();
+    image.name = name;
+    return image;
+}
+
+Image placeholder_image(const std::string& name) {
+    constexpr std::uint32_t k_size = 64;
+    constexpr std::uint32_t k_square = 8;
+    Image image{.name = name, .width = k_size, .height = k_size, .format = PixelFormat::rgba8, .texels = {}};
+    image.texels.reserve(std::size_t{k_size} * k_size * k_channels);
+    for (std::uint32_t y = 0; y < k_size; ++y)
+        for (std::uint32_t x = 0; x < k_size; ++x) {
+            const std::byte shade{(x / k_square + y / k_square) % 2 == 0 ? std::uint8_t{255}
+                                                                         : std::uint8_t{0}};
+            image.texels.insert(image.texels.end(), {shade, std::byte{0}, shade, std::byte{255}});
+        }
+    return image;
+}
+
+}  // namespace rambla::assets

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+
+namespace rambla::assets {
+
+/// Index of nothing, in every index of a Scene.
+inline constexpr std::uint32_t k_none = 0xffffffffu;
+
+enum class WrapMode : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+enum class Filter : std::uint8_t { nearest, linear };
+enum class MipFilter : std::uint8_t { none, nearest, linear };
+
+struct Sampler {
+    WrapMode wrap_u = WrapMode::repeat;
+    WrapMode wrap_v = WrapMode::repeat;
+    Filter magnify = Filter::linear;
+    Filter minify = Filter::linear;
+    MipFilter mip = MipFilter::linear;
+
+    bool operator==(const Sampler&) const = default;
+};
+
+/// How the bytes of an image are read: chosen by use (colours sRGB, everything else linear).
+enum class ColourSpace : std::uint8_t { linear, srgb };
+
+struct Texture {
+    std::string name;
+    std::uint32_t image = k_none;
+    ColourSpace colour_space = ColourSpace::linear;
+    Sampler sampler;
+};
+
+/// A texture as a material uses it: uv' = rotation(angle) · (uv · scale) + offset, as KHR_texture_transform.
+struct TextureSlot {
+    std::uint32_t texture = k_none;
+    std::uint32_t uv_set = 0;  ///< 0 or 1
+    glm::vec2 offset{0.0f};
+    glm::vec2 scale{1.0f};
+    float rotation_rad = 0.0f;
+};
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+/// Metallic-roughness material of glTF 2.0, section 3.9; colours are linear Rec. 709.
+struct Material {
+    std::string name;
+    glm::vec4 base_colour{1.0f};
+    float metalness = 1.0f;
+    float roughness = 1.0f;
+    float normal_scale = 1.0f;
+    float occlusion_strength = 1.0f;
+    glm::vec3 emissive{0.0f};  ///< radiance, scaled as architecture's 1.0 = white under the noon sun; may exceed 1
+    float alpha_cutoff = 0.5f;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    bool double_sided = false;
+    bool unlit = false;  ///< shown as its base colour, neither lit nor shadowed
+    TextureSlot base_colour_texture;
+    TextureSlot metalness_roughness_texture;  ///< roughness in G, metalness in B
+    TextureSlot normal_texture;
+    TextureSlot occlusion_texture;  ///< R
+    TextureSlot emissive_texture;
+};
+
+}  // namespace rambla::assets

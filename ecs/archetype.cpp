@@ -1,0 +1,202 @@
+#include "ecs/archetype.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "ecs/misuse.h"
+
+namespace rambla::ecs {
+namespace {
+
+/// Columns that begin at the same place of their pages would fight for the same sets of a cache and make
+/// loads wait for unrelated stores that agree in the lower 12 bits: each begins this much later than the one
+/// before.
+constexpr std::size_t k_stagger_bytes = 320;
+constexpr std::size_t k_staggered_columns = 12;
+static_assert(k_stagger_bytes % k_column_alignment == 0 && k_stagger_bytes * k_staggered_columns < 4096);
+
+constexpr std::size_t round_up(std::size_t value, std::size_t multiple) {
+    return (value + multiple - 1) / multiple * multiple;
+}
+
+constexpr std::size_t stagger(std::size_t column) {
+    return column % k_staggered_columns * k_stagger_bytes;
+}
+
+void relocate_rows(const ComponentInfo& info, std::byte* to, std::byte* from, std::size_t rows) noexcept {
+    if (info.relocate != nullptr) {
+        info.relocate(to, from, rows);
+    } else {
+        std::memcpy(to, from, rows * info.size);
+    }
+}
+
+void destroy_rows(const ComponentInfo& info, std::byte* first, std::size_t rows) noexcept {
+    if (info.destroy != nullptr) info.destroy(first, rows);
+}
+
+}  // namespace
+
+Archetype::Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector<ComponentId> signature,
+                     std::span<const ComponentInfo* const> infos)
+    : storage_{storage}, index_{index}, signature_{std::move(signature)} {
+    if (signature_.empty()) return;
+    column_of_.assign(signature_.back() + std::size_t{1}, k_no_column);
+    for (std::size_t i = 0; i < signature_.size(); ++i) {
+        const bool tag = infos[i]->size == 0;
+        column_of_[signature_[i]] = tag ? k_tag_column : static_cast<ColumnIndex>(columns_.size());
+        if (!tag) columns_.push_back({nullptr, infos[i], signature_[i]});
+    }
+    columns_.shrink_to_fit();
+}
+
+Archetype::~Archetype() {
+    for (const Column& column : columns_) {
+        if (rows_ != 0) destroy_rows(*column.info, column.base, rows_);
+    }
+    release_block();
+}
+
+std::uint32_t Archetype::push(Entity entity, std::uint32_t version) noexcept {
+    const std::uint32_t row = rows_++;
+    entities_[row] = entity;
+    versions_[row / k_chunk_rows * version_stride()] = version;
+    return row;
+}
+
+Entity Archetype::erase(std::uint32_t row, std::uint32_t version) noexcept {
+    for (const Column& column : columns_)
+        destroy_rows(*column.info, column.at(row), 1);
+    return close_gap(row, version);
+}
+
+std::uint32_t Archetype::move_to(Archetype& to, std::uint32_t row, std::uint32_t version) noexcept {
+    const std::uint32_t target_row = to.push(entities_[row], version);
+    auto target = to.columns_.begin();
+    for (const Column& source : columns_) {
+        while (target != to.columns_.end() && target->component < source.component)
+            ++target;
+        if (target != to.columns_.end() && target->component == source.component) {
+            relocate_rows(*source.info, target->at(target_row), source.at(row), 1);
+        } else {
+            destroy_rows(*source.info, source.at(row), 1);
+        }
+    }
+    return target_row;
+}
+
+Entity Archetype::close_gap(std::uint32_t row, std::uint32_t version) noexcept {
+    const std::uint32_t last = --rows_;
+    versions_[last / k_chunk_rows * version_stride()] = version;
+    if (row == last) return {};
+    for (const Column& column : columns_)
+        relocate_rows(*column.info, column.at(row), column.at(last), 1);
+    entities_[row] = entities_[last];
+    versions_[row / k_chunk_rows * version_stride()] = version;
+    return entities_[row];
+}
+
+std::uint32_t Archetype::version(ColumnIndex column, std::uint32_t chunk) const {
+    const std::uint32_t* versions = versions_.data() + chunk * version_stride();
+    const std::uint32_t rows_changed = versions[0];
+    const std::uint32_t written = versions[1u + column];
+    return static_cast<std::int32_t>(written - rows_changed) > 0 ? written : rows_changed;
+}
+
+std::size_t Archetype::memory_bytes() const {
+    std::size_t bytes =
+        sizeof(Archetype) + columns_.capacity() * sizeof(Column) +
+        column_of_.capacity() * sizeof(ColumnIndex) + signature_.capacity() * sizeof(ComponentId) +
+        reserved_.capacity() * sizeof(ReservedMemory) + versions_.capacity() * sizeof(std::uint32_t);
+    for (const ReservedMemory& memory : reserved_)
+        bytes += memory.committed_bytes();
+    return bytes;
+}
+
+void Archetype::grow() {
+    if (capacity_ >= storage_.max_rows) detail::throw_full("rows in one archetype", storage_.max_rows);
+    const std::uint64_t doubled = std::max(capacity_ * std::uint64_t{2}, std::uint64_t{k_row_padding});
+    if (doubled <= k_pooled_rows || !storage_.reserves) {
+        grow_block(static_cast<std::uint32_t>(std::min<std::uint64_t>(doubled, storage_.max_rows)));
+    } else {  // by an eighth: growth in place is cheap, and the unused part stays small
+        const std::uint64_t wanted = round_up(std::uint64_t{capacity_} + capacity_ / 8 + 1, k_chunk_rows);
+        grow_reserved(static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, storage_.max_rows)));
+    }
+}
+
+void Archetype::grow_block(std::uint32_t capacity) {
+    reserve_versions(capacity);
+    std::byte* block = storage_.pool.take(block_bytes(capacity));
+    std::byte* next = block;
+    move_columns([&](std::size_t row_bytes) {
+        return std::exchange(next, next + round_up(capacity * row_bytes, k_column_alignment));
+    });
+    release_block();
+    block_ = block;
+    capacity_ = capacity;
+}
+
+void Archetype::grow_reserved(std::uint32_t capacity) {
+    reserve_versions(capacity);
+    if (!reserved_.empty()) {
+        commit(reserved_, capacity);
+        capacity_ = capacity;
+        return;
+    }
+    std::vector<ReservedMemory> fresh;
+    fresh.reserve(columns_.size() + 1);
+    for (std::size_t i = 0; i <= columns_.size(); ++i) {
+        fresh.emplace_back(stagger(i) + std::size_t{storage_.max_rows} * row_bytes(i));
+    }
+    commit(fresh, capacity);
+    std::size_t next = 0;
+    move_columns([&](std::size_t) {
+        std::byte* base = fresh[next].data() + stagger(next);
+        ++next;
+        return base;
+    });
+    release_block();
+    reserved_ = std::move(fresh);
+    capacity_ = capacity;
+}
+
+void Archetype::commit(std::span<ReservedMemory> columns, std::uint32_t capacity) const {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        columns[i].commit(stagger(i) + std::size_t{capacity} * row_bytes(i));
+    }
+}
+
+void Archetype::release_block() noexcept {
+    if (block_ != nullptr) storage_.pool.give_back(std::exchange(block_, nullptr), block_bytes(capacity_));
+}
+
+void Archetype::reserve_versions(std::uint32_t capacity) {
+    const std::size_t chunks = (std::size_t{capacity} + k_chunk_rows - 1) / k_chunk_rows;
+    if (versions_.size() < chunks * version_stride()) versions_.resize(chunks * version_stride());
+}
+
+template <class NextBase>
+void Archetype::move_columns(NextBase next_base) noexcept {
+    Entity* entities = reinterpret_cast<Entity*>(next_base(sizeof(Entity)));
+    std::copy_n(entities_, rows_, entities);
+    entities_ = entities;
+    for (Column& column : columns_) {
+        std::byte* base = next_base(column.info->size);
+        if (rows_ != 0) relocate_rows(*column.info, base, column.base, rows_);
+        column.base = base;
+    }
+}
+
+std::size_t Archetype::row_bytes(std::size_t column) const {
+    return column == 0 ? sizeof(Entity) : columns_[column - 1].info->size;
+}
+
+std::size_t Archetype::block_bytes(std::uint32_t capacity) const {
+    std::size_t bytes = 0;
+    for (std::size_t i = 0; i <= columns_.size(); ++i)
+        bytes += round_up(capacity * row_bytes(i), k_column_alignment);
+    return bytes;
+}
+
+}  // namespace rambla::ecs

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ecs/block_pool.h"
+#include "ecs/component.h"
+#include "ecs/memory.h"
+
+namespace rambla::ecs {
+
+/// Rows of a logical chunk: the unit of iteration, of change versions and of jobs.
+inline constexpr std::uint32_t k_chunk_rows = 1024;
+/// Capacities are multiples of this, so that SIMD may read whole vectors at a column's end.
+inline constexpr std::uint32_t k_row_padding = 16;
+/// Up to here an archetype's columns share one block of the pool; above, each has an address range of its
+/// own.
+inline constexpr std::uint32_t k_pooled_rows = 256;
+
+using ColumnIndex = std::uint16_t;
+inline constexpr ColumnIndex k_no_column = 0xffff;   ///< the archetype lacks the component
+inline constexpr ColumnIndex k_tag_column = 0xfffe;  ///< it has it, but tags take no column
+
+/// What all archetypes of a world share.
+struct ArchetypeStorage {
+    BlockPool pool;
+    std::uint32_t max_rows = 0;
+    bool reserves = true;  ///< grow in place above k_pooled_rows; else in blocks, whose rows then move
+};
+
+/// All entities with the same set of components: one column per component, one row per entity, without gaps.
+///
+///     row        0        1        2      …  1023 │ 1024 …        a chunk is 1024 rows of all columns
+///     Entity   [e][e][e][e][e][e][e][e][e] …      │ [e] …
+///     Position [x y z][x y z][x y z][x y z] …     │ [x y z] …     columns begin at cache lines
+///
+/// Above k_pooled_rows growth never moves a row. Operations that may fail come first and change nothing when
+/// they do; what follows cannot fail.
+class Archetype {
+public:
+    struct Column {
+        std::byte* base = nullptr;
+        const ComponentInfo* info = nullptr;
+        ComponentId component = k_no_component;
+
+        [[nodiscard]] std::byte* at(std::uint32_t row) const {
+            return base + static_cast<std::size_t>(row) * info->size;
+        }
+    };
+
+    /// @param signature   component numbers, ascending, without doubles
+    /// @param infos       what they are, in the same order
+    Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector<ComponentId> signature,
+              std::span<const ComponentInfo* const> infos);
+    ~Archetype();
+    Archetype(const Archetype&) = delete;
+    Archetype& operator=(const Archetype&) = delete;
+
+    [[nodiscard]] std::uint32_t index() const { return index_; }
+    [[nodiscard]] std::uint32_t rows() const { return rows_; }
+    [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
+    [[nodiscard]] std::span<const ComponentId> signature() const { return signature_; }
+    [[nodiscard]] std::span<const Column> columns() const { return columns_; }
+    [[nodiscard]] const Entity* entities() const { return entities_; }
+
+    [[nodiscard]] ColumnIndex column_of(ComponentId component) const {
+        return component < column_of_.size() ? column_of_[component] : k_no_column;
+    }
+    [[nodiscard]] bool has(ComponentId component) const { return column_of(component) != k_no_column; }
+
+    /// Makes sure that push() has a row. Throws CapacityExceeded.
+    void reserve_one() {
+        if (rows_ == capacity_) grow();
+    }
+    /// Appends a row whose components are raw memory that the caller fills at once; reserve_one() came
+    /// before.
+    std::uint32_t push(Entity entity, std::uint32_t version) noexcept;
+    /// Ends a row's components and closes the gap. Returns the entity that took over the row, null if it was
+    /// last.
+    Entity erase(std::uint32_t row, std::uint32_t version) noexcept;
+    /// Moves a row's components to `to`, whose reserve_one() came before: shared ones are relocated, those
+    /// that `to` lacks end, those that only `to` has stay raw. The caller then closes the gap.
+    std::uint32_t move_to(Archetype& to, std::uint32_t row, std::uint32_t version) noexcept;
+    /// Fills the gap that move_to() left. Returns the entity that took over the row, null if it was last.
+    Entity close_gap(std::uint32_t row, std::uint32_t version) noexcept;
+
+    /// Version at which a chunk's column was last written, rows coming and going included.
+    [[nodiscard]] std::uint32_t version(ColumnIndex column, std::uint32_t chunk) const;
+    void stamp(ColumnIndex column, std::uint32_t chunk, std::uint32_t version) noexcept {
+        versions_[chunk * version_stride() + 1u + column] = version;
+    }
+
+    /// Memory of its own: committed columns and tables; blocks of the pool are counted by the pool.
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+private:
+    void grow();
+    void grow_block(std::uint32_t capacity);
+    void grow_reserved(std::uint32_t capacity);
+    void commit(std::span<ReservedMemory> columns, std::uint32_t capacity) const;
+    void release_block() noexcept;
+    void reserve_versions(std::uint32_t capacity);
+    /// Relocates all rows to where next_base(bytes per row) says, for the entities first, then for each
+    /// column.
+    template <class NextBase>
+    void move_columns(NextBase next_base) noexcept;
+    /// Of the entities (0) or a column (from 1).
+    [[nodiscard]] std::size_t row_bytes(std::size_t column) const;
+    [[nodiscard]] std::size_t block_bytes(std::uint32_t capacity) const;
+    [[nodiscard]] std::size_t version_stride() const { return columns_.size() + 1; }
+
+    ArchetypeStorage& storage_;
+    std::uint32_t index_;
+    std::uint32_t rows_ = 0;
+    std::uint32_t capacity_ = 0;
+    Entity* entities_ = nullptr;
+    std::vector<Column> columns_;
+    std::vector<ColumnIndex> column_of_;  ///< by component number
+    std::vector<ComponentId> signature_;
+    std::byte* block_ = nullptr;            ///< all columns, while they share a block
+    std::vector<ReservedMemory> reserved_;  ///< entities, then the columns, once each has its own
+    std::vector<std::uint32_t> versions_;   ///< per chunk: rows coming and going, then one per column
+};
+
+}  // namespace rambla::ecs

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <vector>
+
+namespace rambla::ecs {
+
+/// Hands out small blocks of memory, aligned to 64 bytes, cut from shared slabs, and takes them back:
+/// thousands of small archetypes share a few slabs. Sizes are rounded up to four steps per power of two, so
+/// at most a fifth of a block is lost. Blocks above k_largest_pooled come from the heap, one by one.
+class BlockPool {
+public:
+    static constexpr std::size_t k_largest_pooled = 16 * 1024;
+    static constexpr std::size_t k_slab_bytes = 64 * 1024;
+
+    BlockPool() = default;
+    BlockPool(const BlockPool&) = delete;
+    BlockPool& operator=(const BlockPool&) = delete;
+
+    /// @param bytes  > 0
+    [[nodiscard]] std::byte* take(std::size_t bytes);
+    /// @param bytes  what take() was asked for
+    void give_back(std::byte* block, std::size_t bytes) noexcept;
+
+    /// Slabs and large blocks that are held from the system.
+    [[nodiscard]] std::size_t memory_bytes() const { return slabs_.size() * k_slab_bytes + large_bytes_; }
+
+private:
+    struct FreeBlock {
+        FreeBlock* next;
+    };
+    struct AlignedDelete {
+        void operator()(std::byte* slab) const noexcept;
+    };
+
+    static constexpr std::size_t k_class_count = 28;
+
+    [[nodiscard]] std::byte* cut(std::size_t bytes);
+    void add_free(std::byte* block, std::size_t size_class) noexcept;
+
+    std::array<FreeBlock*, k_class_count> free_{};
+    std::vector<std::unique_ptr<std::byte, AlignedDelete>> slabs_;
+    std::size_t used_of_last_ = k_slab_bytes;  ///< bytes of the last slab that are cut off already
+    std::size_t large_bytes_ = 0;
+};
+
+}  // namespace rambla::ecs

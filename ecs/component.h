@@ -1,0 +1,122 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "ecs/entity.h"
+
+namespace rambla::ecs {
+
+/// Columns begin at multiples of this many bytes, and so does every chunk of them.
+inline constexpr std::size_t k_column_alignment = 64;
+
+/// Whether a row may be moved by copying its bytes and forgetting the source. Specialise it to true for types
+/// that own memory but nowhere hold their own address (std::unique_ptr, most of std::vector); others are
+/// moved by their move constructor and destructor.
+template <class C>
+struct is_relocatable : std::bool_constant<std::is_trivially_copyable_v<C>> {};
+
+/// Lists the members of a component that hold entities, so that Commands can put real entities where
+/// placeholders were recorded:
+///     template <> struct entity_members<Parent> { static constexpr std::tuple value{&Parent::entity}; };
+template <class C>
+struct entity_members {};
+
+/// What may be a component: any object type whose move cannot fail, so that no operation stops half-way
+/// through a row.
+template <class C>
+concept Component = std::is_object_v<C> && !std::is_array_v<C> && std::same_as<C, std::remove_cv_t<C>> &&
+                    !std::same_as<C, Entity> && std::is_nothrow_move_constructible_v<C> &&
+                    std::is_nothrow_destructible_v<C> && alignof(C) <= k_column_alignment &&
+                    (!std::is_empty_v<C> || std::is_trivially_destructible_v<C>);
+
+/// Empty components are tags: they tell archetypes apart, but have no column, so nothing can be read from
+/// them.
+template <class C>
+inline constexpr bool is_tag = std::is_empty_v<C>;
+
+/// Number of a component inside one world, in the order in which the world met them.
+using ComponentId = std::uint16_t;
+inline constexpr ComponentId k_no_component = 0xffff;
+
+namespace detail {
+
+template <class T>
+constexpr const char* signature_naming() {
+    return __PRETTY_FUNCTION__;
+}
+
+std::uint32_t next_type_index();
+
+template <class T, class... Ts>
+inline constexpr std::size_t k_times_in = (std::size_t{0} + ... + (std::is_same_v<T, Ts> ? 1u : 0u));
+
+template <class... Ts>
+inline constexpr bool k_all_differ = ((k_times_in<Ts, Ts...> == 1) && ...);
+
+}  // namespace detail
+
+/// Name of a type as the compiler writes it, for messages.
+template <class T>
+constexpr std::string_view type_name() {
+    const std::string_view signature = detail::signature_naming<T>();
+    const std::size_t begin = signature.find("T = ") + 4;
+    return signature.substr(begin, signature.size() - 1 - begin);
+}
+
+/// A small number per type for the running program. Depends on the order of first use: a key for tables,
+/// never to be stored or compared between runs.
+template <class T>
+std::uint32_t type_index() {
+    static const std::uint32_t index = detail::next_type_index();
+    return index;
+}
+
+/// What storage must know of a component type.
+struct ComponentInfo {
+    std::string_view name;
+    std::uint32_t type_index = 0;
+    std::uint32_t size = 0;  ///< bytes per row; 0 for tags
+    std::uint32_t alignment = 1;
+    /// Moves `count` objects to raw memory that does not overlap and ends the sources; null: copy the bytes.
+    void (*relocate)(void* to, void* from, std::size_t count) noexcept = nullptr;
+    void (*destroy)(void* first, std::size_t count) noexcept = nullptr;  ///< null: nothing to do
+};
+
+namespace detail {
+
+template <class C>
+void relocate(void* to, void* from, std::size_t count) noexcept {
+    C* source = static_cast<C*>(from);
+    C* target = static_cast<C*>(to);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::construct_at(target + i, std::move(source[i]));
+        std::destroy_at(source + i);
+    }
+}
+
+template <class C>
+void destroy(void* first, std::size_t count) noexcept {
+    std::destroy_n(static_cast<C*>(first), count);
+}
+
+}  // namespace detail
+
+template <Component C>
+const ComponentInfo& component_info() {
+    static const ComponentInfo info{
+        .name = type_name<C>(),
+        .type_index = type_index<C>(),
+        .size = is_tag<C> ? 0u : static_cast<std::uint32_t>(sizeof(C)),
+        .alignment = static_cast<std::uint32_t>(alignof(C)),
+        .relocate = is_relocatable<C>::value ? nullptr : &detail::relocate<C>,
+        .destroy = std::is_trivially_destructible_v<C> ? nullptr : &detail::destroy<C>};
+    return info;
+}
+
+}  // namespace rambla::ecs

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "ecs/entity.h"
+#include "ecs/memory.h"
+
+namespace rambla::ecs {
+
+inline constexpr std::uint32_t k_no_archetype = 0xffffffffu;
+
+/// Where an entity's row is. Free slots have no archetype and keep the next free slot in `row`.
+struct EntityRecord {
+    std::uint32_t generation;
+    std::uint32_t archetype;
+    std::uint32_t row;
+};
+static_assert(sizeof(EntityRecord) <= 16);
+
+/// All entity slots of a world. The slot freed last is used first: the order depends on nothing but the
+/// calls.
+class EntityTable {
+public:
+    /// @param max_entities  slots ever in use at one time; at most 2³² − 1
+    explicit EntityTable(std::uint32_t max_entities);
+
+    /// Makes sure that the next take() has a slot. Throws CapacityExceeded.
+    void reserve_one() {
+        if (first_free_ == k_none && size_ == capacity_) grow();
+    }
+    /// Uses a slot; reserve_one() came before.
+    Entity take(std::uint32_t archetype, std::uint32_t row) noexcept;
+    /// Frees the slot of a living entity. A slot whose generations are used up is never used again.
+    void give_back(std::uint32_t index) noexcept;
+
+    /// The record of a living entity, else null.
+    [[nodiscard]] EntityRecord* find(Entity entity) noexcept {
+        return const_cast<EntityRecord*>(static_cast<const EntityTable*>(this)->find(entity));
+    }
+    [[nodiscard]] const EntityRecord* find(Entity entity) const noexcept {
+        if (entity.index >= size_) return nullptr;
+        const EntityRecord& record = records()[entity.index];
+        return record.generation == entity.generation && record.archetype != k_no_archetype ? &record
+                                                                                            : nullptr;
+    }
+    [[nodiscard]] EntityRecord& operator[](std::uint32_t index) noexcept { return records()[index]; }
+
+    [[nodiscard]] std::size_t alive_count() const { return alive_; }
+    [[nodiscard]] std::size_t memory_bytes() const { return memory_.committed_bytes(); }
+
+private:
+    static constexpr std::uint32_t k_none = 0xffffffffu;
+
+    void grow();
+    [[nodiscard]] EntityRecord* records() const noexcept {
+        return reinterpret_cast<EntityRecord*>(memory_.data());
+    }
+
+    ReservedMemory memory_;
+    std::uint32_t max_entities_;
+    std::uint32_t capacity_ = 0;
+    std::uint32_t size_ = 0;  ///< slots ever used
+    std::uint32_t alive_ = 0;
+    std::uint32_t first_free_ = k_none;
+};
+
+}  // namespace rambla::ecs

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+
+namespace rambla::ecs {
+
+/// Bytes that grow in place: a range of address space, of which a growing first part is backed by memory.
+/// Where the system has no such thing, growth allocates anew and copies the bytes (grows_in_place is false
+/// there).
+class ReservedMemory {
+public:
+    static const bool grows_in_place;
+
+    ReservedMemory() = default;
+    /// Reserves, commits nothing. Throws CapacityExceeded when the address space is used up.
+    explicit ReservedMemory(std::size_t max_bytes);
+    ReservedMemory(ReservedMemory&& other) noexcept;
+    ReservedMemory& operator=(ReservedMemory&& other) noexcept;
+    ~ReservedMemory();
+
+    /// Makes at least the first `bytes` usable; new bytes are zero. At most max_bytes. Throws
+    /// CapacityExceeded when the system refuses; what was committed before stays as it is.
+    void commit(std::size_t bytes);
+
+    /// Start of the bytes, aligned to 64; where grows_in_place it stays the same for life.
+    [[nodiscard]] std::byte* data() const { return data_; }
+    [[nodiscard]] std::size_t committed_bytes() const { return committed_bytes_; }
+    [[nodiscard]] std::size_t reserved_bytes() const { return reserved_bytes_; }
+
+private:
+    void release() noexcept;
+
+    std::byte* data_ = nullptr;
+    std::size_t committed_bytes_ = 0;
+    std::size_t reserved_bytes_ = 0;
+};
+
+}  // namespace rambla::ecs

@@ -1,0 +1,84 @@
+#include "ecs/world.h"
+
+#include <atomic>
+
+namespace rambla::ecs {
+namespace {
+
+std::uint64_t next_serial() {
+    static std::atomic<std::uint64_t> next{1};
+    return next.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace
+
+World::World(const WorldOptions& options)
+    : entities_{options.max_entities},
+      graph_{options.max_rows_per_archetype, options.reserve_address_space},
+      serial_{next_serial()} {}
+
+World::~World() = default;
+
+World::Created World::create_in(Archetype& archetype) {
+    detail::IterationMark::forbid(*this, "create");
+    entities_.reserve_one();
+    archetype.reserve_one();
+    const Entity entity = entities_.take(archetype.index(), archetype.rows());
+    return {entity, archetype.push(entity, version_)};
+}
+
+void World::destroy(Entity entity) {
+    detail::IterationMark::forbid(*this, "destroy");
+    EntityRecord* record = entities_.find(entity);
+    if (record == nullptr) detail::throw_not_alive("destroy", {}, entity);
+    const std::uint32_t row = record->row;
+    const Entity moved = graph_[record->archetype].erase(row, version_);
+    if (moved != Entity{}) entities_[moved.index].row = row;
+    entities_.give_back(entity.index);
+}
+
+void* World::slot_for(Entity entity, const ComponentInfo& info) {
+    detail::IterationMark::forbid(*this, "add");
+    EntityRecord* record = entities_.find(entity);
+    if (record == nullptr) detail::throw_not_alive("add", info.name, entity);
+    const ComponentId component = graph_.component(info);
+    Archetype& from = graph_[record->archetype];
+    if (!from.has(component)) {
+        Archetype& to = move(*record, graph_.toggled(from, component));
+        return info.size == 0 ? nullptr : to.columns()[to.column_of(component)].at(record->row);
+    }
+    if (info.size == 0) return nullptr;
+    const ColumnIndex column = from.column_of(component);
+    std::byte* slot = from.columns()[column].at(record->row);
+    if (info.destroy != nullptr) info.destroy(slot, 1);
+    from.stamp(column, record->row / k_chunk_rows, version_);
+    return slot;
+}
+
+void World::take_away(Entity entity, const ComponentInfo& info) {
+    detail::IterationMark::forbid(*this, "remove");
+    EntityRecord* record = entities_.find(entity);
+    if (record == nullptr) detail::throw_not_alive("remove", info.name, entity);
+    const ComponentId component = graph_.find_component(info.type_index);
+    Archetype& from = graph_[record->archetype];
+    if (!from.has(component)) detail::throw_missing("remove", info.name, entity);
+    move(*record, graph_.toggled(from, component));
+}
+
+Archetype& World::move(EntityRecord& record, Archetype& to) {
+    to.reserve_one();
+    Archetype& from = graph_[record.archetype];
+    const std::uint32_t old_row = record.row;
+    record.row = from.move_to(to, old_row, version_);
+    record.archetype = to.index();
+    const Entity moved = from.close_gap(old_row, version_);
+    if (moved != Entity{}) entities_[moved.index].row = old_row;
+    return to;
+}
+
+std::size_t World::memory_bytes() const {
+    return sizeof(World) + entities_.memory_bytes() + graph_.memory_bytes() +
+           bundles_.capacity() * sizeof(Archetype*) + resources_.memory_bytes();
+}
+
+}  // namespace rambla::ecs

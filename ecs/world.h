@@ -1,0 +1,246 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "ecs/archetype_graph.h"
+#include "ecs/component.h"
+#include "ecs/entity.h"
+#include "ecs/entity_table.h"
+#include "ecs/iteration.h"
+#include "ecs/misuse.h"
+#include "ecs/resources.h"
+
+namespace rambla::ecs {
+
+template <class... Terms>
+class Query;
+class Commands;
+
+/// Limits and memory of a world. Address space is reserved by them, memory is not.
+struct WorldOptions {
+    /// Alive at one time; at most 2³² − 1.
+    std::uint32_t max_entities = 1u << 28u;
+    /// Rounded up to 16; at most 2³¹. A column reserves this times its component's size.
+    std::uint32_t max_rows_per_archetype = 1u << 24u;
+    /// False: archetypes grow by allocating anew and moving their rows.
+    bool reserve_address_space = true;
+};
+
+/// Entities, their components and the world's resources.
+///
+/// References to components stay valid until the next structural change (create, destroy, add, remove,
+/// commands). Structural changes while this thread walks over a query's chunks throw Misuse; record them in
+/// Commands. A world may be read by several threads at once, or changed by one.
+class World {
+public:
+    explicit World(const WorldOptions& options = {});
+    ~World();
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    /// An entity without components.
+    Entity create() { return create_in(empty_archetype()).entity; }
+    /// An entity with these components, which lands directly in its archetype. Throws CapacityExceeded.
+    template <Component... Cs>
+    requires(sizeof...(Cs) > 0) Entity create(Cs... values);
+    /// Ends the entity and its components. Throws Misuse on a stale handle.
+    void destroy(Entity entity);
+    [[nodiscard]] bool alive(Entity entity) const { return entities_.find(entity) != nullptr; }
+
+    /// Gives the entity a component, or replaces the value it has. Throws Misuse on a stale handle.
+    template <Component C>
+    void add(Entity entity, C value = {});
+    /// Throws Misuse on a stale handle or when the component is not there.
+    template <Component C>
+    void remove(Entity entity);
+    /// Throws Misuse on a stale handle.
+    template <Component C>
+    [[nodiscard]] bool has(Entity entity) const;
+
+    /// The component's value. Throws Misuse on a stale handle or when the component is not there.
+    template <Component C>
+    [[nodiscard]] const C& get(Entity entity) const;
+    /// The same for writing: counts as a change of the row's chunk.
+    template <Component C>
+    [[nodiscard]] C& get_mut(Entity entity);
+    /// Null when the component is not there. Throws Misuse on a stale handle.
+    template <Component C>
+    [[nodiscard]] const C* try_get(Entity entity) const;
+    template <Component C>
+    [[nodiscard]] C* try_get_mut(Entity entity);
+
+    /// Sets or replaces the world's one R.
+    template <class R>
+    R& set_resource(R value) {
+        return resources_.set<R>(std::move(value));
+    }
+    /// Throws Misuse if it was never set.
+    template <class R>
+    [[nodiscard]] R& resource() {
+        return resources_.get<R>();
+    }
+    template <class R>
+    [[nodiscard]] const R& resource() const {
+        return resources_.get<R>();
+    }
+    template <class R>
+    [[nodiscard]] bool has_resource() const {
+        return resources_.find<R>() != nullptr;
+    }
+
+    /// What writes are stamped with: each chunk × component keeps the version of its last write.
+    [[nodiscard]] std::uint32_t version() const { return version_; }
+    /// Begins a new version, so that later writes can be told from earlier ones. Returns the one that ended.
+    /// Versions may wrap around after 2³²; comparisons hold for distances below 2³¹.
+    std::uint32_t advance_version() { return version_++; }
+
+    [[nodiscard]] std::size_t entity_count() const { return entities_.alive_count(); }
+    /// Archetypes ever born, the empty one included.
+    [[nodiscard]] std::size_t archetype_count() const { return graph_.size(); }
+    /// Memory held: committed columns and pooled blocks, entity records, tables, resources. Not what
+    /// components own elsewhere.
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+private:
+    template <class... Terms>
+    friend class Query;
+    friend class Commands;
+
+    struct Created {
+        Entity entity;
+        std::uint32_t row;
+    };
+    /// Tells apart the component lists that create() is called with.
+    template <class... Cs>
+    struct Bundle {};
+
+    [[nodiscard]] Archetype& empty_archetype() const { return graph_[0]; }
+    template <class... Cs>
+    Archetype& bundle_archetype();
+    Created create_in(Archetype& archetype);
+    /// Where to construct the component: raw memory, null for tags. Moves the entity, or ends the old value.
+    void* slot_for(Entity entity, const ComponentInfo& info);
+    void take_away(Entity entity, const ComponentInfo& info);
+    Archetype& move(EntityRecord& record, Archetype& to);
+    template <class C>
+    static void construct(Archetype& archetype, ColumnIndex column, std::uint32_t row, C& value) noexcept;
+    template <class C>
+    const EntityRecord& record_of(std::string_view operation, Entity entity) const;
+    template <class C>
+    const C* find(std::string_view operation, Entity entity) const;
+    template <class C>
+    C* find_mut(std::string_view operation, Entity entity);
+
+    Resources resources_;  // first, so that components may still use them when they end
+    EntityTable entities_;
+    ArchetypeGraph graph_;
+    std::vector<Archetype*> bundles_;  ///< by type index of the Bundle
+    std::uint64_t serial_;             ///< never used twice: how queries know the world they have cached
+    std::uint32_t version_ = 1;
+};
+
+// ----------------------------------------------------------------------------------------------------
+
+template <class... Cs>
+Archetype& World::bundle_archetype() {
+    const std::uint32_t bundle = type_index<Bundle<Cs...>>();
+    if (bundle < bundles_.size() && bundles_[bundle] != nullptr) return *bundles_[bundle];
+    std::array<ComponentId, sizeof...(Cs)> signature{graph_.component(component_info<Cs>())...};
+    Archetype& archetype = graph_.with_signature(signature);
+    if (bundles_.size() <= bundle) bundles_.resize(bundle + 1);
+    bundles_[bundle] = &archetype;
+    return archetype;
+}
+
+template <class C>
+void World::construct(Archetype& archetype, ColumnIndex column, std::uint32_t row, C& value) noexcept {
+    if constexpr (!is_tag<C>) {
+        std::construct_at(reinterpret_cast<C*>(archetype.columns()[column].base) + row, std::move(value));
+    }
+}
+
+template <Component... Cs>
+requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
+    static_assert(detail::k_all_differ<Cs...>, "an entity has each component once");
+    Archetype& archetype = bundle_archetype<Cs...>();
+    const Created created = create_in(archetype);
+    (construct(archetype, archetype.column_of(graph_.find_component(type_index<Cs>())), created.row, values),
+     ...);
+    return created.entity;
+}
+
+template <Component C>
+void World::add(Entity entity, C value) {
+    void* slot = slot_for(entity, component_info<C>());
+    if constexpr (!is_tag<C>) std::construct_at(static_cast<C*>(slot), std::move(value));
+}
+
+template <Component C>
+void World::remove(Entity entity) {
+    take_away(entity, component_info<C>());
+}
+
+template <class C>
+const EntityRecord& World::record_of(std::string_view operation, Entity entity) const {
+    const EntityRecord* record = entities_.find(entity);
+    if (record == nullptr) detail::throw_not_alive(operation, type_name<C>(), entity);
+    return *record;
+}
+
+template <Component C>
+bool World::has(Entity entity) const {
+    const EntityRecord& record = record_of<C>("has", entity);
+    return graph_[record.archetype].has(graph_.find_component(type_index<C>()));
+}
+
+template <class C>
+const C* World::find(std::string_view operation, Entity entity) const {
+    static_assert(!is_tag<C>, "a tag has no value: ask has<C>()");
+    const EntityRecord& record = record_of<C>(operation, entity);
+    const Archetype& archetype = graph_[record.archetype];
+    const ColumnIndex column = archetype.column_of(graph_.find_component(type_index<C>()));
+    if (column == k_no_column) return nullptr;
+    return reinterpret_cast<const C*>(archetype.columns()[column].base) + record.row;
+}
+
+template <class C>
+C* World::find_mut(std::string_view operation, Entity entity) {
+    static_assert(!is_tag<C>, "a tag has no value: ask has<C>()");
+    const EntityRecord& record = record_of<C>(operation, entity);
+    Archetype& archetype = graph_[record.archetype];
+    const ColumnIndex column = archetype.column_of(graph_.find_component(type_index<C>()));
+    if (column == k_no_column) return nullptr;
+    archetype.stamp(column, record.row / k_chunk_rows, version_);
+    return reinterpret_cast<C*>(archetype.columns()[column].base) + record.row;
+}
+
+template <Component C>
+const C* World::try_get(Entity entity) const {
+    return find<C>("try_get", entity);
+}
+
+template <Component C>
+C* World::try_get_mut(Entity entity) {
+    return find_mut<C>("try_get_mut", entity);
+}
+
+template <Component C>
+const C& World::get(Entity entity) const {
+    if (const C* found = find<C>("get", entity)) return *found;
+    detail::throw_missing("get", type_name<C>(), entity);
+}
+
+template <Component C>
+C& World::get_mut(Entity entity) {
+    if (C* found = find_mut<C>("get_mut", entity)) return *found;
+    detail::throw_missing("get_mut", type_name<C>(), entity);
+}
+
+}  // namespace rambla::ecs

@@ -1,0 +1,122 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "game/commands/command.h"
+#include "game/exit_code.h"
+#include "game/json_output.h"
+#include "game/options.h"
+#include "game/window.h"
+#include "render/gl/context.h"
+
+namespace rambla::game {
+namespace {
+
+bool meets(const render::DeviceFeature& feature) {
+    return feature.present || !feature.required;
+}
+bool meets(const render::DeviceLimit& limit) {
+    return limit.value >= limit.required;
+}
+
+template <class Things>
+void add_missing(const Things& things, std::vector<std::string>& advice) {
+    for (const auto& thing : things) {
+        if (meets(thing)) continue;
+        advice.push_back(
+            fmt::format("{} is missing or too small: Rambla cannot draw here. Update the graphics driver, "
+                        "or use Mesa's software rasteriser (LIBGL_ALWAYS_SOFTWARE=1).",
+                        thing.name));
+    }
+}
+
+std::vector<std::string> advice_for(const render::DeviceInfo& device) {
+    std::vector<std::string> advice;
+    add_missing(device.features, advice);
+    add_missing(device.limits, advice);
+    if (device.software) {
+        advice.push_back(
+            "This is a rasteriser on the CPU: --size 640x360 and --shadows focused:size=1024,taps=4 are "
+            "several times as fast; a GPU with OpenGL 4.5 is faster by far.");
+    }
+    if (!has_display()) {
+        advice.push_back(
+            "No display: `rambla walk` and `rambla view FILE --out F.png` draw into files; `rambla play` "
+            "needs a desktop session or xvfb-run.");
+    }
+    return advice;
+}
+
+std::string to_text(const render::DeviceInfo& device, const std::vector<std::string>& advice) {
+    std::string text = fmt::format(
+        "OpenGL    {}\nGLSL      {}\nrenderer  {} ({})\nvendor    {}\n"
+        "processor {} threads\ndisplay   {}\n\nfeatures\n",
+        device.version, device.shading_language, device.renderer, device.software ? "software" : "hardware",
+        device.vendor, std::thread::hardware_concurrency(), has_display() ? "yes" : "none");
+    for (const render::DeviceFeature& feature : device.features) {
+        text += fmt::format("  {:<44} {}{}\n", feature.name, feature.present ? "yes" : "no",
+                            feature.required ? " (required)" : "");
+    }
+    text += "\nlimits\n";
+    for (const render::DeviceLimit& limit : device.limits) {
+        text += fmt::format("  {:<44} {}", limit.name, limit.value);
+        text += limit.required > 0 ? fmt::format(" (required: {})\n", limit.required) : "\n";
+    }
+    text += advice.empty() ? "\nnothing to advise\n" : "\nadvice\n";
+    for (const std::string& line : advice)
+        text += fmt::format("  - {}\n", line);
+    return text;
+}
+
+nlohmann::json to_json(const render::DeviceInfo& device, const std::vector<std::string>& advice, bool good) {
+    nlohmann::json features = nlohmann::json::array();
+    for (const render::DeviceFeature& feature : device.features) {
+        features.push_back(
+            {{"name", feature.name}, {"present", feature.present}, {"required", feature.required}});
+    }
+    nlohmann::json limits = nlohmann::json::array();
+    for (const render::DeviceLimit& limit : device.limits) {
+        limits.push_back({{"name", limit.name}, {"value", limit.value}, {"required", limit.required}});
+    }
+    return {{"schema", "rambla.doctor/1"},
+            {"good", good},
+            {"version", device.version},
+            {"shading_language", device.shading_language},
+            {"renderer", device.renderer},
+            {"vendor", device.vendor},
+            {"software", device.software},
+            {"display", has_display()},
+            {"features", features},
+            {"limits", limits},
+            {"advice", advice}};
+}
+
+int run(const Options& options) {
+    const render::DeviceInfo device = render::query_device({});
+    const bool good =
+        std::all_of(device.features.begin(), device.features.end(), [](const auto& f) { return meets(f); }) &&
+        std::all_of(device.limits.begin(), device.limits.end(), [](const auto& l) { return meets(l); });
+    const std::vector<std::string> advice = advice_for(device);
+    print_result(options.json, to_text(device, advice));
+    write_json(options.json, to_json(device, advice, good));
+    return good ? k_done : k_machine_lacks;
+}
+
+}  // namespace
+
+Command add_doctor(CLI::App& program) {
+    CLI::App* const line =
+        program.add_subcommand("doctor", "Says what this machine offers, and what would help");
+    const auto options = std::make_shared<Options>();
+    add_message_options(*line, *options);
+    return {line, [options] {
+                return run(*options);
+            }};
+}
+
+}  // namespace rambla::game

@@ -1,0 +1,156 @@
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/Option.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "assets/export/image.h"
+#include "assets/import/gltf.h"
+#include "game/app.h"
+#include "game/commands/command.h"
+#include "game/exit_code.h"
+#include "game/framing.h"
+#include "game/json_output.h"
+#include "game/options.h"
+#include "game/view_session.h"
+#include "game/window.h"
+#include "render/render_thread.h"
+#include "systems/position.h"
+
+namespace rambla::game {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float k_fov_rad = 0.7f;  // 40°: models look natural, neither flat nor bulging
+
+struct ViewCommand {
+    Options options;
+    fs::path file;
+    fs::path out;
+    std::optional<std::uint32_t> camera;
+    std::uint64_t frames = 0;
+    const CLI::Option* shadows = nullptr;
+};
+
+/// The file's camera that was asked for, else its first, else a view of everything.
+systems::Eye first_eye(const ViewCommand& command, const assets::Scene& scene, const assets::Bounds& box) {
+    const std::uint32_t index = command.camera.value_or(0);
+    if (std::optional<systems::Eye> eye = scene_camera(scene, index, command.options.origin)) return *eye;
+    if (command.camera) {
+        throw std::invalid_argument{fmt::format(
+            "--camera is {}, but {} shows fewer cameras than that by default", index, command.file.string())};
+    }
+    const glm::vec2 size{command.options.size_px};
+    systems::Eye eye = eye_of(frame_bounds(box, k_fov_rad, size.x / size.y), command.options.origin);
+    eye.vertical_fov_rad = k_fov_rad;
+    return eye;
+}
+
+/// Shadows reach as far as the model does, whatever its scale, unless the user has said how far.
+render::Settings settings_for(const ViewCommand& command, const systems::Eye& eye,
+                              const assets::Bounds& box) {
+    render::Settings settings = command.options.settings;
+    if (command.shadows->count() > 0 || box.empty()) return settings;
+    const glm::vec3 to_centre = systems::offset_m(eye.place, command.options.origin) + box.centre();
+    settings.shadows.distance_m = glm::length(to_centre) + glm::length(box.half_extents());
+    return settings;
+}
+
+int draw_picture(const ViewCommand& command, Stage& stage, systems::Eye eye,
+                 const render::Settings& settings) {
+    const bool linear = command.out.extension() == ".exr";
+    eye.size_px = command.options.size_px;
+    render::RenderThread thread{{.window = {}, .shaders = {}, .gl_errors_throw = false}};
+    thread.upload(stage.scene);
+    render::FrameInput& input = thread.begin();
+    systems::build_frame(*stage.world, eye, 1.0f, input.frame);
+    input.frame.capture = {.display = !linear, .linear = linear};
+    input.settings = settings;
+    const systems::FrameCounts counts = input.frame.counts;
+    thread.submit();
+    thread.finish();
+    const std::vector<render::FrameOutput> outputs = thread.collect();
+    const std::optional<assets::Image>& picture = linear ? outputs.at(0).linear : outputs.at(0).display;
+    if (command.out.has_parent_path()) fs::create_directories(command.out.parent_path());
+    assets::write_image(command.out, picture.value());
+    write_json(command.options.json, {{"schema", "rambla.view/1"},
+                                      {"file", command.file.string()},
+                                      {"out", command.out.string()},
+                                      {"entities", stage.world->entity_count()},
+                                      {"visible", counts.visible},
+                                      {"lights", counts.lights},
+                                      {"draws", outputs.at(0).feedback.draws},
+                                      {"triangles", outputs.at(0).feedback.triangles}});
+    spdlog::info("Wrote {}", command.out.string());
+    return k_done;
+}
+
+int show_window(const ViewCommand& command, Stage& stage, const systems::Eye& eye, const assets::Bounds& box,
+                const render::Settings& settings) {
+    ViewSession session{eye, box, command.options.origin};
+    run_app({.title = "Rambla: " + command.file.filename().string(),
+             .size_px = command.options.size_px,
+             .walking = false,
+             .frames = command.frames},
+            stage, settings, [&session](const Moment& moment) { return session.update(moment); });
+    return k_done;
+}
+
+int run(ViewCommand& command) {
+    const tbb::global_control limit = worker_limit(command.options);
+    const bool windowed = !command.options.headless && command.out.empty() && has_display();
+    if (command.out.empty()) command.out = fs::path{"out"} / command.file.stem().concat(".png");
+    const std::string extension = command.out.extension().string();
+    if (extension != ".png" && extension != ".exr") {
+        throw std::invalid_argument{
+            fmt::format("--out is '{}', expected a name that ends in .png or .exr", command.out.string())};
+    }
+    assets::Scene scene = assets::import_gltf(command.file);
+    const assets::Bounds box = scene_bounds(scene);
+    const assets::Environment light = viewing_light(scene);
+    const systems::Eye eye = first_eye(command, scene, box);
+    const render::Settings settings = settings_for(command, eye, box);
+    Stage stage = make_stage(std::move(scene), light, command.options.origin);
+    return windowed ? show_window(command, stage, eye, box, settings)
+                    : draw_picture(command, stage, eye, settings);
+}
+
+}  // namespace
+
+Command add_view(CLI::App& program) {
+    CLI::App* const line = program.add_subcommand("view", "Shows a glTF file, in a window or as a picture");
+    const auto command = std::make_shared<ViewCommand>();
+    Options& options = command->options;
+    line->footer(
+        "Looks through the file's first camera, or shows everything if it has none. The light is the file's "
+        "own with a\n"
+        "soft sky; a file without lights stands in the noon sun.\n"
+        "Opens a window where there is a display, unless --headless or --out is given. In the window the "
+        "left button\n"
+        "turns around the model, the wheel comes nearer; F1 shows the keys.\n");
+    line->add_option("file", command->file, "File to show")->type_name("FILE.glb|FILE.gltf")->required();
+    line->add_option("-o,--out", command->out,
+                     "Picture to write: .png as a screen shows it, .exr linear light")
+        ->type_name("FILE");
+    line->add_flag("--headless", options.headless,
+                   "Draws without a window; into out/ unless --out says where");
+    line->add_option("--camera", command->camera, "Looks through the file's camera number N, from 0")
+        ->type_name("N");
+    line->add_option("--frames", command->frames, "Closes the window after so many pictures")->type_name("N");
+    add_place_options(*line, options);
+    add_picture_options(*line, options);
+    add_message_options(*line, options);
+    command->shadows = line->get_option("--shadows");
+    return {line, [command] {
+                return run(*command);
+            }};
+}
+
+}  // namespace rambla::game

@@ -1,0 +1,128 @@
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "game/commands/command.h"
+#include "game/exit_code.h"
+#include "game/json_output.h"
+#include "game/options.h"
+#include "game/process_memory.h"
+#include "game/stage.h"
+#include "game/walk_render.h"
+
+namespace rambla::game {
+namespace {
+
+struct WalkCommand {
+    Options options;
+    WalkRender render;
+    bool no_render = false;
+    std::uint64_t steps = 600;
+};
+
+/// What every run of `walk` states, drawn or not.
+nlohmann::json common_json(const WalkCommand& command, const Stage& stage, std::uint64_t steps) {
+    return {{"schema", "rambla.walk/1"},
+            {"scene", command.options.scene},
+            {"seed", command.options.seed},
+            {"threads", worker_count()},
+            {"steps", steps},
+            {"entities", stage.world->entity_count()},
+            {"state_hash", fmt::format("{:016x}", systems::state_hash(*stage.world))},
+            {"memory_bytes", resident_bytes()}};
+}
+
+int simulate(const WalkCommand& command, Stage& stage) {
+    for (std::uint64_t i = 0; i < command.steps; ++i)
+        systems::step(*stage.world);
+    const nlohmann::json result = common_json(command, stage, command.steps);
+    print_result(command.options.json,
+                 fmt::format("{} steps, {} entities, state {}\n", command.steps, stage.world->entity_count(),
+                             result["state_hash"].get<std::string>()));
+    write_json(command.options.json, result);
+    return k_done;
+}
+
+int draw(WalkCommand& command, Stage& stage) {
+    if (stage.walk.empty())
+        throw std::invalid_argument{"scene " + command.options.scene + " has no walk to follow"};
+    const WalkResult result = render_walk(stage, command.options, command.render);
+    print_result(command.options.json, result.text);
+    nlohmann::json json = common_json(command, stage, result.steps);
+    json.update(result.json);
+    write_json(command.options.json, json);
+    spdlog::info("Frames, contact sheet and pass table are in {}", command.render.folder.string());
+    const bool grew = command.render.stats && result.steadiness.known && !result.steadiness.steady;
+    return grew ? k_check_failed : k_done;
+}
+
+int run(WalkCommand& command) {
+    const tbb::global_control limit = worker_limit(command.options);
+    Stage stage = make_stage(command.options.scene, command.options.seed, command.options.origin);
+    return command.no_render ? simulate(command, stage) : draw(command, stage);
+}
+
+}  // namespace
+
+Command add_walk(CLI::App& program) {
+    CLI::App* const line =
+        program.add_subcommand("walk", "Walks through a scene along its script, into pictures");
+    const auto command = std::make_shared<WalkCommand>();
+    Options& options = command->options;
+    line->footer(
+        "The frames are spread evenly over the whole walk, whatever their number; between two of them the "
+        "simulation\n"
+        "takes the fixed steps of 1/60 s that lie there. So --frames stretches or thins the film (30 frames "
+        "per second\n"
+        "of the walk's duration play at its natural speed), and never changes the way.\n"
+        "Frames, contact sheet and pass table go to the folder of --out. Timers slow drawing down, so the "
+        "walk itself is\n"
+        "drawn without; then --profile-frames of it are drawn again with timers, for the table.\n"
+        "Opens a window where there is a display, unless --headless.\n");
+    add_scene_options(*line, options);
+    add_place_options(*line, options);
+    line->add_option("--frames", command->render.frames, "How many pictures of the walk")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    line->add_option("-o,--out", command->render.folder,
+                     "Folder for the results; frames of an earlier walk there go")
+        ->type_name("DIR")
+        ->capture_default_str();
+    line->add_option("--format", command->render.format,
+                     "png shows what a screen shows; exr holds linear light as well")
+        ->type_name("png|exr")
+        ->check(CLI::IsMember({"png", "exr"}))
+        ->capture_default_str();
+    line->add_flag("--headless", options.headless, "Draws without a window, even where there is a display");
+    line->add_option("--profile-frames", command->render.profile_frames,
+                     "Frames drawn again with timers; 0: no table")
+        ->type_name("N")
+        ->check(CLI::Range(0, 10'000))
+        ->capture_default_str();
+    line->add_option("--graph", command->render.graph,
+                     "Draws the passes of the first frame and what flows between them")
+        ->type_name("FILE.svg");
+    CLI::Option* const stats =
+        line->add_flag("--stats", command->render.stats,
+                       "Prints memory and GL objects along the way; ends with 1 if they grow after frame 50");
+    CLI::Option* const no_render =
+        line->add_flag("--no-render", command->no_render, "Only simulates, --steps of it");
+    no_render->excludes(stats);
+    line->add_option("--steps", command->steps, "Simulation steps of 1/60 s; with --no-render")
+        ->type_name("N")
+        ->needs(no_render)
+        ->capture_default_str();
+    add_picture_options(*line, options);
+    add_message_options(*line, options);
+    return {line, [command] {
+                return run(*command);
+            }};
+}
+
+}  // namespace rambla::game

@@ -1,0 +1,137 @@
+#include "game/framing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/camera_path.h"
+#include "systems/position.h"
+
+namespace rambla::game {
+namespace {
+
+constexpr float k_three_quarter_yaw_rad = 0.62f;  // a little less than 45°: both sides show, one of them more
+constexpr float k_three_quarter_pitch_rad = 0.38f;  // high enough to see tops, low enough to see sides
+constexpr float k_margin = 1.05f;                   // leaves the sphere a rim
+
+/// Near planes stand this share of the distance away: close enough for zooming in, far enough for 32-bit
+/// depth.
+constexpr float k_near_share = 0.01f;
+
+glm::vec3 direction_from_target(const Orbit& orbit) {
+    return {std::sin(orbit.yaw_rad) * std::cos(orbit.pitch_rad), std::sin(orbit.pitch_rad),
+            std::cos(orbit.yaw_rad) * std::cos(orbit.pitch_rad)};
+}
+
+/// Rotation of a node's frame without its scale; cameras keep looking along −Z whatever scale stands above
+/// them.
+glm::quat rotation_of(const glm::mat4& scene_from_node) {
+    const glm::vec3 back = glm::normalize(glm::vec3{scene_from_node[2]});
+    const glm::vec3 up{scene_from_node[1]};
+    const glm::vec3 right = glm::normalize(glm::cross(up, back));
+    return glm::normalize(glm::quat_cast(glm::mat3{right, glm::cross(back, right), back}));
+}
+
+}  // namespace
+
+std::vector<PlacedNode> placed_nodes(const assets::Scene& scene) {
+    std::vector<PlacedNode> placed;
+    placed.reserve(scene.nodes.size());
+    for (const std::uint32_t root : scene.roots)
+        placed.push_back({root, matrix(scene.nodes[root].local)});
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const PlacedNode parent = placed[i];
+        for (const std::uint32_t child : scene.nodes[parent.node].children) {
+            placed.push_back({child, parent.scene_from_node * matrix(scene.nodes[child].local)});
+        }
+    }
+    return placed;
+}
+
+assets::Bounds scene_bounds(const assets::Scene& scene) {
+    assets::Bounds box;
+    for (const PlacedNode& placed : placed_nodes(scene)) {
+        const std::uint32_t model = scene.nodes[placed.node].model;
+        if (model == assets::k_none) continue;
+        for (const assets::ModelPart& part : scene.models[model].parts) {
+            box.expand(transformed(scene.meshes[part.mesh].bounds, placed.scene_from_node));
+        }
+    }
+    return box;
+}
+
+Orbit frame_bounds(const assets::Bounds& box, float vertical_fov_rad, float aspect) {
+    const float box_radius_m = box.empty() ? 0.0f : glm::length(box.half_extents());
+    const float radius_m = box_radius_m > 0.0f ? box_radius_m : 1.0f;
+    const float half_vertical = 0.5f * vertical_fov_rad;
+    const float half_horizontal = std::atan(std::tan(half_vertical) * aspect);
+    return {.target_m = box.empty() ? glm::vec3{0.0f} : box.centre(),
+            .distance_m = k_margin * radius_m / std::sin(std::min(half_vertical, half_horizontal)),
+            .yaw_rad = k_three_quarter_yaw_rad,
+            .pitch_rad = k_three_quarter_pitch_rad};
+}
+
+systems::Eye eye_of(const Orbit& orbit, const systems::WorldPosition& origin, const systems::Eye& like) {
+    const glm::vec3 from_target = direction_from_target(orbit) * orbit.distance_m;
+    systems::Eye eye = like;
+    eye.place = systems::moved(origin, glm::dvec3{orbit.target_m} + glm::dvec3{from_target});
+    eye.rotation = look_rotation(from_target, glm::vec3{0.0f});
+    eye.near_m = k_near_share * orbit.distance_m;
+    return eye;
+}
+
+Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box, const systems::WorldPosition& origin) {
+    const glm::vec3 eye_m = systems::offset_m(origin, eye.place);
+    const glm::vec3 ahead = eye.rotation * glm::vec3{0.0f, 0.0f, -1.0f};
+    const glm::vec3 centre_m = box.empty() ? eye_m + ahead : box.centre();
+    // The point of the line of sight nearest to the centre; something in front of the eye in any case.
+    const float along_m = glm::dot(centre_m - eye_m, ahead);
+    const float distance_m = std::max({along_m, 0.1f * glm::length(centre_m - eye_m), 10.0f * eye.near_m});
+    return {.target_m = eye_m + distance_m * ahead,
+            .distance_m = distance_m,
+            .yaw_rad = std::atan2(-ahead.x, -ahead.z),
+            .pitch_rad = std::asin(std::clamp(-ahead.y, -1.0f, 1.0f))};
+}
+
+std::optional<systems::Eye> scene_camera(const assets::Scene& scene, std::uint32_t index,
+                                         const systems::WorldPosition& origin) {
+    for (const PlacedNode& placed : placed_nodes(scene)) {
+        const std::uint32_t camera_index = scene.nodes[placed.node].camera;
+        if (camera_index == assets::k_none || index-- > 0) continue;
+        const assets::Camera& camera = scene.cameras[camera_index];
+        systems::Eye eye;
+        eye.place = systems::moved(origin, glm::dvec3{placed.scene_from_node[3]});
+        eye.rotation = rotation_of(placed.scene_from_node);
+        eye.kind = camera.kind;
+        eye.vertical_fov_rad = camera.vertical_fov_rad;
+        eye.half_height_m = camera.half_height_m;
+        eye.near_m = camera.near_m;
+        eye.far_m = camera.far_m;
+        return eye;
+    }
+    return std::nullopt;
+}
+
+assets::Environment viewing_light(const assets::Scene& scene) {
+    assets::Environment light = assets::noon();
+    bool lit = false;
+    bool sunlit = false;
+    for (const PlacedNode& placed : placed_nodes(scene)) {
+        const std::uint32_t index = scene.nodes[placed.node].light;
+        if (index == assets::k_none) continue;
+        lit = true;
+        const assets::Light& own = scene.lights[index];
+        if (own.kind != assets::LightKind::directional || sunlit) continue;
+        sunlit = true;
+        light.direction_to_sun = glm::normalize(glm::vec3{placed.scene_from_node[2]});
+        light.sun_illuminance = own.colour * own.intensity;
+    }
+    if (!lit) return light;
+    if (!sunlit) light.sun_illuminance = glm::vec3{0.0f};
+    constexpr float k_soft_sky = 0.15f;
+    light.sky_zenith_radiance *= k_soft_sky;
+    light.sky_horizon_radiance *= k_soft_sky;
+    light.ground_radiance *= k_soft_sky;
+    return light;
+}
+
+}  // namespace rambla::game

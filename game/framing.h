@@ -1,0 +1,59 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "assets/bounds.h"
+#include "assets/environment.h"
+#include "assets/scene.h"
+#include "systems/pipeline.h"
+
+namespace rambla::game {
+
+/// A node that the scene shows by default, and where it stands.
+struct PlacedNode {
+    std::uint32_t node = assets::k_none;
+    glm::mat4 scene_from_node{1.0f};
+};
+
+/// All nodes under the scene's roots, parents before children.
+[[nodiscard]] std::vector<PlacedNode> placed_nodes(const assets::Scene& scene);
+
+/// Box around all that the scene shows by default; empty if it shows nothing.
+[[nodiscard]] assets::Bounds scene_bounds(const assets::Scene& scene);
+
+/// A camera that circles a point: what the mouse moves in `view`.
+struct Orbit {
+    glm::vec3 target_m{0.0f};
+    float distance_m = 1.0f;
+    float yaw_rad = 0.0f;    ///< 0 looks along −Z, growing turns the camera to the left of what it looks at
+    float pitch_rad = 0.0f;  ///< growing lifts the camera
+};
+
+/// Three-quarter view in which a sphere around `box` just fits into the picture, whatever its scale.
+/// @param box     may be a point or empty: then a sphere of one metre is framed
+/// @param aspect  width / height of the picture
+[[nodiscard]] Orbit frame_bounds(const assets::Bounds& box, float vertical_fov_rad, float aspect);
+
+/// Eye of an orbit, with a near plane that suits the distance.
+/// @param origin  where the scene's own (0,0,0) stands
+/// @param like    what all else is taken from: kind, field of view
+[[nodiscard]] systems::Eye eye_of(const Orbit& orbit, const systems::WorldPosition& origin,
+                                  const systems::Eye& like = {});
+
+/// The orbit that `eye` is on around what it sees of a box: eye_of() it looks the same way from the same
+/// place, but for a roll, which orbits do not have.
+[[nodiscard]] Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box,
+                             const systems::WorldPosition& origin);
+
+/// Eye of the `index`-th camera that the scene shows by default; nothing if it has fewer.
+[[nodiscard]] std::optional<systems::Eye> scene_camera(const assets::Scene& scene, std::uint32_t index,
+                                                       const systems::WorldPosition& origin);
+
+/// Light for a viewed scene: its own directional light as the sun; no sun if it has other lights only; noon
+/// if none. With lights of its own, the sky is kept soft, so that shadows are not black and the file's light
+/// dominates.
+[[nodiscard]] assets::Environment viewing_light(const assets::Scene& scene);
+
+}  // namespace rambla::game

@@ -1,0 +1,128 @@
+#include "game/options.h"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+#include <tbb/info.h>
+
+#include <CLI/Error.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "game/origin.h"
+#include "game/parameters.h"
+#include "game/size.h"
+
+namespace rambla::game {
+namespace {
+
+/// --NAME CHOICE:field=value,… for all of a struct; its fields are explained at the end of --help.
+template <class Struct, std::size_t Count>
+void add_method_option(CLI::App& command, const std::string& name,
+                       const std::array<Parameter<Struct>, Count>& table, Struct& object) {
+    const std::vector<BoundParameter> parameters = bind(table, object);
+    const bool has_fields = parameters.size() > 1;
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, parameters](const std::string& text) {
+                usage_checked(name, [&] { set_from_method_text(parameters, text); });
+            },
+            fmt::format("{} ({}; default {})", parameters.front().help, expected_text(parameters.front()),
+                        value_text(parameters.front())))
+        ->type_name(has_fields ? "METHOD[:name=value,...]" : "METHOD")
+        ->group("Algorithms");
+    if (!has_fields) return;
+    command.footer(fmt::format("{}{} METHOD:name=value,... knows these names:\n{}", command.get_footer(),
+                               name, help_text(std::span{parameters}.subspan(1))));
+}
+
+/// --NAME VALUE for the one field of a struct that stands under that name in its table.
+template <class Struct, std::size_t Count>
+void add_field_option(CLI::App& command, std::string_view field,
+                      const std::array<Parameter<Struct>, Count>& table, Struct& object) {
+    const std::string name = fmt::format("--{}", field);
+    for (const BoundParameter& parameter : bind(table, object)) {
+        if (parameter.name != field) continue;
+        command
+            .add_option_function<std::string>(
+                name,
+                [name, parameter](const std::string& text) {
+                    usage_checked(name, [&] { set_from_text(parameter, text); });
+                },
+                fmt::format("{} ({}; default {})", parameter.help, expected_text(parameter),
+                            value_text(parameter)))
+            ->type_name(parameter.unit.empty() ? "VALUE" : std::string{parameter.unit})
+            ->group("Algorithms");
+    }
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, Options& options) {
+    command
+        .add_option("--scene", options.scene,
+                    "What is generated, with its parameters: city, city:blocks=2x2, street")
+        ->type_name("SCENE")
+        ->capture_default_str();
+    command
+        .add_option("--seed", options.seed, "Chooses among the places and crowds that the scene describes")
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+void add_place_options(CLI::App& command, Options& options) {
+    command
+        .add_option_function<std::string>(
+            "--origin",
+            [&options](const std::string& text) {
+                options.origin = usage_checked("--origin", [&] { return parse_origin(text); });
+            },
+            "Puts the whole scene that far from (0,0,0), in metres: the picture stays the same")
+        ->type_name("X,Y,Z");
+    command
+        .add_option("--threads", options.threads,
+                    "Threads that simulate, pack and encode (default: all cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+}
+
+void add_picture_options(CLI::App& command, Options& options) {
+    command
+        .add_option_function<std::string>(
+            "--size",
+            [&options](const std::string& text) {
+                options.size_px = usage_checked("--size", [&] { return parse_size(text); });
+            },
+            fmt::format("Size of the picture in pixels (default {}x{})", options.size_px.x,
+                        options.size_px.y))
+        ->type_name("WIDTHxHEIGHT");
+    add_method_option(command, "--shadows", render::k_shadow_parameters, options.settings.shadows);
+    add_method_option(command, "--tonemap", render::k_tone_parameters, options.settings.tone);
+    add_field_option(command, "exposure", render::k_tone_parameters, options.settings.tone);
+    add_method_option(command, "--aa", render::k_anti_aliasing_parameters, options.settings.anti_aliasing);
+}
+
+void add_message_options(CLI::App& command, Options& options) {
+    command.add_option("--json", options.json, "Writes the results as one JSON object; - is standard output")
+        ->type_name("FILE");
+    command.add_flag("--quiet", options.quiet, "Says nothing but warnings, errors and results");
+    command.parse_complete_callback([&options] {
+        if (options.quiet) spdlog::set_level(spdlog::level::warn);
+    });
+}
+
+tbb::global_control worker_limit(const Options& options) {
+    const auto threads = options.threads > 0 ? static_cast<std::size_t>(options.threads)
+                                             : static_cast<std::size_t>(tbb::info::default_concurrency());
+    return tbb::global_control{tbb::global_control::max_allowed_parallelism, threads};
+}
+
+std::size_t worker_count() {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
+}  // namespace rambla::game

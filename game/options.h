@@ -1,0 +1,48 @@
+#pragma once
+
+#include <tbb/global_control.h>
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "render/settings.h"
+#include "systems/components.h"
+
+namespace rambla::game {
+
+/// What commands share; each command adds the groups that mean something to it.
+struct Options {
+    std::string scene = "city";
+    std::uint64_t seed = 1;
+    systems::WorldPosition origin;
+    glm::uvec2 size_px{960, 540};
+    bool headless = false;
+    int threads = 0;  ///< 0: as many as the machine has
+    std::string json;
+    bool quiet = false;
+    render::Settings settings;
+};
+
+void add_scene_options(CLI::App& command, Options& options);    ///< --scene --seed
+void add_place_options(CLI::App& command, Options& options);    ///< --origin --threads
+void add_picture_options(CLI::App& command, Options& options);  ///< --size and every algorithm's own option
+void add_message_options(CLI::App& command, Options& options);  ///< --json --quiet
+
+/// Holds oneTBB to --threads while it lives.
+[[nodiscard]] tbb::global_control worker_limit(const Options& options);
+/// How many threads work now.
+[[nodiscard]] std::size_t worker_count();
+
+/// Runs a parser of option text, and turns std::invalid_argument into a usage error that names the option.
+template <class Parse>
+auto usage_checked(const std::string& option, Parse&& parse) {
+    try {
+        return parse();
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError{option, error.what()};
+    }
+}
+
+}  // namespace rambla::game

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "render/draw.h"
+#include "render/gl/buffer.h"
+#include "render/gl/texture.h"
+#include "render/graph/graph.h"
+#include "render/scene_store.h"
+#include "render/settings.h"
+#include "systems/frame.h"
+
+namespace rambla::render {
+
+/// Samplers that passes share; the graph's textures have none of their own.
+struct PassSamplers {
+    gl::Sampler nearest;  ///< clamped
+    gl::Sampler linear;   ///< clamped
+    gl::Sampler
+        depth_compare;  ///< linear, clamped, GL_GEQUAL: 1 where the reference is not behind (reversed Z)
+};
+
+/// What one frame's passes share. Lives until the graph has run, so callbacks may capture it by reference.
+/// The frame uniforms, instances, materials and lights are bound already (shared/bindings.h).
+///
+/// A pass is a class that makes its programs in its constructor, `explicit Pass(gl::ProgramRegistry&)`, and
+/// one `void add(RenderGraph&, FrameResources&)` per frame, which reads the handles it needs from here and
+/// writes back those of what it made. A handle that no pass made is invalid: test valid() before depending on
+/// something optional.
+struct FrameResources {
+    const systems::Frame& frame;
+    const Settings& settings;
+    const SceneStore& scene;
+    const PassSamplers& samplers;
+    gl::StreamBuffer& stream;
+    const DrawList& opaque;   ///< shaded: frame.opaque
+    const DrawList& blended;  ///< blended: frame.blended, back to front
+    DrawCounts& counts;       ///< each pass adds what it drew
+    float exposure = 1.0f;    ///< pre-exposure factor, as in the frame uniforms
+
+    TextureHandle depth{};          ///< GL_DEPTH_COMPONENT32F, reversed
+    TextureHandle albedo{};         ///< G-buffer RT0: GL_SRGB8_ALPHA8, alpha: material id
+    TextureHandle normal{};         ///< G-buffer RT1: GL_RG16, octahedral
+    TextureHandle surface{};        ///< G-buffer RT2: GL_RGBA8: roughness, metalness, occlusion, reflector id
+    TextureHandle emission{};       ///< G-buffer RT3: GL_R11F_G11F_B10F; only when frame.emissive
+    TextureHandle shadow_map{};     ///< sun, depth, 1 nearest to the sun
+    gl::BufferRange sun_shadow{};   ///< shared::SunShadow of shadow_map
+    TextureHandle shadow_result{};  ///< sun, GL_R8: 1 lit, 0 in shadow; invalid when shadows are off
+    TextureHandle scene_colour{};   ///< GL_RGBA16F, pre-exposed linear light
+    TextureHandle display{};  ///< tone-mapped, sRGB-encoded GL_RGBA8, alpha: luma; input of anti-aliasing
+    TextureHandle
+        backbuffer{};  ///< what is shown: anti-aliasing (or tone mapping, without it) writes it, then the HUD
+
+    [[nodiscard]] glm::uvec2 size_px() const { return frame.view.size_px; }
+};
+
+}  // namespace rambla::render

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "render/gl/program.h"
+#include "render/pass_context.h"
+#include "render/passes/blend.h"
+#include "render/passes/gbuffer.h"
+#include "render/passes/lighting.h"
+#include "render/passes/local_lights.h"
+#include "render/passes/sky.h"
+#include "render/post/fxaa.h"
+#include "render/post/hud.h"
+#include "render/post/tonemap.h"
+#include "render/shadow/focused.h"
+#include "render/shadow/result.h"
+
+namespace rambla::render {
+
+/// A list of passes, constructed and added to each frame in the order of the list.
+template <class... Passes>
+struct PassList;
+
+template <>
+struct PassList<> {
+    explicit PassList(gl::ProgramRegistry&) {}
+    void add(RenderGraph&, FrameResources&) {}
+};
+
+template <class First, class... Rest>
+struct PassList<First, Rest...> {
+    explicit PassList(gl::ProgramRegistry& programs) : first{programs}, rest{programs} {}
+    void add(RenderGraph& graph, FrameResources& resources) {
+        first.add(graph, resources);
+        rest.add(graph, resources);
+    }
+
+    First first;
+    PassList<Rest...> rest;
+};
+
+/// From geometry to scene colour. A new pass is one line here, and its own file.
+using ScenePasses = PassList<GBufferPass,        //
+                             FocusedShadowPass,  //
+                             ShadowResultPass,   //
+                             LightingPass,       //
+                             LocalLightsPass,    //
+                             SkyPass,            //
+                             BlendPass>;
+
+/// From scene colour to what is shown.
+using DisplayPasses = PassList<TonemapPass,  //
+                               FxaaPass,     //
+                               HudPass>;
+
+}  // namespace rambla::render

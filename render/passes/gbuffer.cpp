@@ -1,0 +1,67 @@
+#include "render/passes/gbuffer.h"
+
+namespace rambla::render {
+
+bool has_detail(const assets::Material& material) {
+    return material.metalness_roughness_texture.texture != assets::k_none ||
+           material.normal_texture.texture != assets::k_none ||
+           material.occlusion_texture.texture != assets::k_none;
+}
+
+GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {
+    for (const bool masked : {false, true}) {
+        for (const bool detailed : {false, true}) static_cast<void>(program(masked, detailed, false));
+    }
+}
+
+const gl::Program& GBufferPass::program(bool masked, bool detailed, bool emissive) {
+    const std::size_t index = (masked ? 1u : 0u) | (detailed ? 2u : 0u) | (emissive ? 4u : 0u);
+    if (variants_[index] == nullptr) {
+        variants_[index] = &programs_.get({.name = "gbuffer",
+                                           .vertex = "mesh.vert.glsl",
+                                           .fragment = "gbuffer.frag.glsl",
+                                           .compute = {},
+                                           .defines = {{"ALPHA_MASK", masked ? "1" : "0"},
+                                                       {"DETAIL", detailed ? "1" : "0"},
+                                                       {"EMISSION", emissive ? "1" : "0"}}});
+    }
+    return *variants_[index];
+}
+
+void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
+    const auto target = [&](GLenum format) {
+        return gl::TextureDesc{.format = format, .size = resources.size_px()};
+    };
+    const bool emissive = resources.frame.emissive;
+    graph.add_pass(
+        "gbuffer",
+        [&](PassBuilder& pass) {
+            // Colours are read only where depth says that there is geometry.
+            resources.albedo = pass.write_colour(0, pass.create_texture("albedo", target(GL_SRGB8_ALPHA8)),
+                                                 LoadOp::discard);
+            resources.normal = pass.write_colour(1, pass.create_texture("normal", target(GL_RG16)), LoadOp::discard);
+            resources.surface = pass.write_colour(2, pass.create_texture("surface", target(GL_RGBA8)),
+                                                  LoadOp::discard);
+            if (emissive) {
+                resources.emission = pass.write_colour(
+                    3, pass.create_texture("emission", target(GL_R11F_G11F_B10F)), LoadOp::discard);
+            }
+            resources.depth = pass.write_depth(pass.create_texture("depth", target(GL_DEPTH_COMPONENT32F)),
+                                               LoadOp::clear);
+        },
+        [this, &resources, emissive](PassContext&) {
+            glEnable(GL_DEPTH_TEST);
+            glDepthFunc(GL_GREATER);
+            glDepthMask(GL_TRUE);
+            const DrawCounts drawn =
+                resources.opaque.draw(resources.scene, [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
+                    const bool masked = pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask);
+                    return program(masked, has_detail(resources.scene.material(material)), emissive);
+                });
+            resources.counts.draws += drawn.draws;
+            resources.counts.calls += drawn.calls;
+            resources.counts.triangles += drawn.triangles;
+        });
+}
+
+}  // namespace rambla::render

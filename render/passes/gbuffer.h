@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+#include "render/gl/program.h"
+#include "render/pass_context.h"
+
+namespace rambla::render {
+
+/// Draws the opaque and masked queue into the compact G-buffer (shaders/gbuffer_layout.glsl): depth, albedo, normal,
+/// surface, and emission when the Frame says that something emits.
+class GBufferPass {
+public:
+    explicit GBufferPass(gl::ProgramRegistry& programs);
+
+    void add(RenderGraph& graph, FrameResources& resources);
+
+private:
+    /// Masked materials need a discard, which costs early depth; few materials have more than a base colour, and
+    /// texture filtering is what this pass costs; emission needs a target.
+    [[nodiscard]] const gl::Program& program(bool masked, bool detailed, bool emissive);
+
+    gl::ProgramRegistry& programs_;
+    std::array<const gl::Program*, 8> variants_{};
+};
+
+/// Whether a material needs the DETAIL variant of shaders/material.glsl.
+[[nodiscard]] bool has_detail(const assets::Material& material);
+
+}  // namespace rambla::render

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assets/image.h"
+#include "assets/scene.h"
+#include "render/settings.h"
+#include "render/shader_source.h"
+#include "render/window_context.h"
+#include "systems/feedback.h"
+#include "systems/frame.h"
+
+namespace rambla::render {
+
+struct RenderThreadOptions {
+    WindowContext window;
+    ShaderSource shaders;          ///< empty: the texts embedded at build
+    bool gl_errors_throw = false;  ///< GL debug messages of high or medium severity become errors (tests)
+    bool compile_ahead = true;  ///< draws every program once when a scene arrives, so that none hitches later
+};
+
+struct FrameInput {
+    systems::Frame frame;
+    Settings settings;
+    bool reload_shaders = false;  ///< compile again what the shader source has changed
+    bool profile = false;         ///< GPU timers per pass for this frame; adds flushes
+    bool draw_graph = false;      ///< asks for FrameOutput::graph_svg
+};
+
+struct FrameOutput {
+    systems::Feedback feedback;
+    std::optional<assets::Image> display;  ///< rgba8, sRGB, HUD included
+    std::optional<assets::Image> linear;   ///< rgba32f scene colour, exposure taken out, before tone mapping
+    std::string shader_error;              ///< of a failed reload; the old programs stay in use
+    std::string graph_svg;                 ///< the frame's passes as a drawing; empty unless asked for
+};
+
+/// Owns the thread that owns the GL context, and two FrameInputs, so that one is filled while the other is
+/// drawn. Exceptions of the render thread surface in the next call here.
+class RenderThread {
+public:
+    explicit RenderThread(RenderThreadOptions options);
+    ~RenderThread();
+    RenderThread(const RenderThread&) = delete;
+    RenderThread& operator=(const RenderThread&) = delete;
+
+    /// Hands over the scene whose indices all later Frames use; returns at once.
+    void upload(std::shared_ptr<const assets::Scene> scene);
+
+    /// Waits until a FrameInput is free and returns it for filling; its contents are those of two frames ago.
+    [[nodiscard]] FrameInput& begin();
+    /// Hands the filled FrameInput to the render thread; returns at once.
+    void submit();
+    /// Outputs of frames finished since the last call, oldest first; never waits.
+    [[nodiscard]] std::vector<FrameOutput> collect();
+    /// Waits until everything submitted is drawn.
+    void finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace rambla::render

@@ -1,0 +1,261 @@
+#include "render/renderer.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+
+#include "assets/assert.h"
+#include "render/capture.h"
+#include "render/draw.h"
+#include "render/frame_uniforms.h"
+#include "render/gl/context.h"
+#include "render/gl/framebuffer.h"
+#include "render/graph/graph.h"
+#include "render/pass_context.h"
+#include "render/passes/all_passes.h"
+#include "render/shaders/shared/bindings.h"
+#include "render/shaders/shared/instance.h"
+#include "render/shaders/shared/light.h"
+#include "render/warm_up.h"
+
+namespace rambla::render {
+
+namespace {
+
+static_assert(sizeof(systems::Instance) == sizeof(shared::Instance));
+static_assert(offsetof(systems::Instance, row2) == offsetof(shared::Instance, row2));
+static_assert(offsetof(systems::Instance, material) == offsetof(shared::Instance, material));
+static_assert(offsetof(systems::Instance, object) == offsetof(shared::Instance, object));
+static_assert(sizeof(systems::FrameLight) == sizeof(shared::Light));
+static_assert(offsetof(systems::FrameLight, intensity) == offsetof(shared::Light, intensity_cos_outer));
+static_assert(offsetof(systems::FrameLight, direction) == offsetof(shared::Light, direction_cos_inner));
+
+/// One is drawn while the next is being submitted; a third would only add latency.
+constexpr std::size_t k_max_in_flight = 2;
+/// What a street's frame takes; StreamBuffer grows where it is not enough.
+constexpr std::size_t k_stream_bytes = std::size_t{1} << 20;
+
+using Clock = std::chrono::steady_clock;
+
+PassSamplers make_samplers() {
+    return {.nearest = gl::Sampler{"nearest", {}},
+            .linear = gl::Sampler{"linear", {.minify = GL_LINEAR, .magnify = GL_LINEAR}},
+            .depth_compare = gl::Sampler{"depth compare",
+                                         {.minify = GL_LINEAR, .magnify = GL_LINEAR, .compare = GL_GEQUAL}}};
+}
+
+/// A submitted frame whose fence has not been seen to pass.
+struct InFlight {
+    GLsync fence = nullptr;
+    bool is_warm_up = false;
+    FrameOutput output;
+    Capture display;
+    Capture linear;
+};
+
+}  // namespace
+
+struct Renderer::State {
+    explicit State(const RenderThreadOptions& options)
+        : context{options.window, options.gl_errors_throw},
+          compile_ahead{options.compile_ahead},
+          programs{options.shaders},
+          samplers{make_samplers()},
+          scene_passes{programs},
+          display_passes{programs} {
+        context.check_errors();
+    }
+    ~State() {
+        for (InFlight& frame : in_flight)
+            glDeleteSync(frame.fence);
+    }
+
+    gl::Context context;
+    bool compile_ahead;
+    gl::ProgramRegistry programs;
+    SceneStore scene;
+    gl::StreamBuffer stream{"stream", k_stream_bytes};
+    PassSamplers samplers;
+    ScenePasses scene_passes;
+    DisplayPasses display_passes;
+    RenderGraph graph;
+    DrawList opaque;
+    DrawList blended;
+    DrawCounts counts;
+    gl::Texture backbuffer;             ///< where pixels are wanted back, or no window is
+    gl::Framebuffer backbuffer_reader;  ///< to copy it to the window
+
+    std::array<InFlight, k_max_in_flight> in_flight;  ///< a ring
+    std::size_t first = 0;
+    std::size_t count = 0;
+
+    void draw(const FrameInput& input, bool is_warm_up);
+    void draw_passes(const FrameInput& input, InFlight& slot);
+    void bind_frame(const systems::Frame& frame, float exposure);
+    [[nodiscard]] TextureHandle import_backbuffer(glm::uvec2 size, bool as_texture);
+    [[nodiscard]] bool take_oldest(std::vector<FrameOutput>& outputs, bool wait);
+    std::vector<FrameOutput> overtaken;  ///< finished because draw() had to wait
+};
+
+Renderer::Renderer(const RenderThreadOptions& options) : state_{std::make_unique<State>(options)} {}
+Renderer::~Renderer() = default;
+
+void Renderer::upload(const assets::Scene& scene) {
+    state_->scene.upload(scene);
+    if (!state_->compile_ahead) return;
+    for (const FrameInput& input : warm_up_frames(scene))
+        state_->draw(input, true);
+}
+
+void Renderer::draw(const FrameInput& input) {
+    state_->draw(input, false);
+}
+
+void Renderer::take_finished(std::vector<FrameOutput>& outputs, bool wait) {
+    for (FrameOutput& output : state_->overtaken)
+        outputs.push_back(std::move(output));
+    state_->overtaken.clear();
+    while (state_->take_oldest(outputs, wait)) {
+    }
+}
+
+bool Renderer::frames_in_flight() const {
+    return state_->count > 0 || !state_->overtaken.empty();
+}
+
+void Renderer::State::draw(const FrameInput& input, bool is_warm_up) {
+    const Clock::time_point begin = Clock::now();
+    if (count == k_max_in_flight) static_cast<void>(take_oldest(overtaken, true));
+    InFlight& slot = in_flight[(first + count) % k_max_in_flight];
+    slot.is_warm_up = is_warm_up;
+    slot.output = {};
+    if (input.reload_shaders) slot.output.shader_error = programs.reload();
+    const glm::uvec2 size = input.frame.view.size_px;
+    graph.begin_frame();
+    counts = {};
+    stream.begin_frame();
+    if (size.x > 0 && size.y > 0) {  // a minimised window has no pixels
+        draw_passes(input, slot);
+    } else {
+        graph.execute(false);
+    }
+    stream.end_frame();
+    if (!is_warm_up) context.swap();
+    slot.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+    ++count;
+
+    systems::Feedback& feedback = slot.output.feedback;
+    const gl::LiveCounts live = gl::live_counts();
+    feedback.frame = input.frame.number;
+    feedback.draws = counts.draws;
+    feedback.triangles = counts.triangles;
+    feedback.gl_objects = live.objects;
+    feedback.gpu_memory_bytes = live.bytes;
+    feedback.cpu_frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    context.check_errors();
+}
+
+void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
+    const systems::Frame& frame = input.frame;
+    const systems::CaptureRequest& wanted = frame.capture;
+    const float exposure = std::exp2(input.settings.tone.exposure_ev);
+    bind_frame(frame, exposure);
+    opaque.clear(DrawKind::shaded);
+    opaque.add(scene, frame.opaque);
+    opaque.upload(stream);
+    blended.clear(DrawKind::blended);
+    blended.add(scene, frame.blended);
+    blended.upload(stream);
+
+    FrameResources resources{.frame = frame,
+                             .settings = input.settings,
+                             .scene = scene,
+                             .samplers = samplers,
+                             .stream = stream,
+                             .opaque = opaque,
+                             .blended = blended,
+                             .counts = counts,
+                             .exposure = exposure};
+    const bool as_texture = context.headless() || wanted.display;
+    resources.backbuffer = import_backbuffer(frame.view.size_px, as_texture);
+    scene_passes.add(graph, resources);
+    if (wanted.linear) {
+        slot.linear.add(graph, "capture linear", resources.scene_colour, assets::PixelFormat::rgba32f,
+                        1.0f / exposure);
+    } else {
+        slot.linear.release();
+    }
+    display_passes.add(graph, resources);
+    if (wanted.display) {
+        slot.display.add(graph, "capture display", resources.backbuffer, assets::PixelFormat::rgba8, 1.0f);
+    } else {
+        slot.display.release();
+    }
+    graph.execute(input.profile);
+    if (as_texture && !context.headless()) {
+        const auto width = static_cast<GLint>(frame.view.size_px.x);
+        const auto height = static_cast<GLint>(frame.view.size_px.y);
+        glDisable(GL_FRAMEBUFFER_SRGB);
+        glBlitNamedFramebuffer(backbuffer_reader.name(), 0, 0, 0, width, height, 0, 0, width, height,
+                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+    if (input.draw_graph) slot.output.graph_svg = graph.svg();
+}
+
+void Renderer::State::bind_frame(const systems::Frame& frame, float exposure) {
+    stream.upload_value(make_frame_uniforms(frame, exposure)).bind(GL_UNIFORM_BUFFER, BINDING_FRAME_UNIFORMS);
+    stream.upload(std::span<const systems::Instance>{frame.instances})
+        .bind(GL_SHADER_STORAGE_BUFFER, BINDING_INSTANCES);
+    scene.materials().bind(GL_SHADER_STORAGE_BUFFER, BINDING_MATERIALS);
+    stream.upload(std::span<const systems::FrameLight>{frame.lights})
+        .bind(GL_SHADER_STORAGE_BUFFER, BINDING_LIGHTS);
+}
+
+TextureHandle Renderer::State::import_backbuffer(glm::uvec2 size, bool as_texture) {
+    if (!as_texture) {
+        backbuffer_reader = {};
+        backbuffer = {};
+        return graph.import_default_framebuffer("backbuffer", size);
+    }
+    const gl::TextureDesc desc{.format = GL_RGBA8, .size = size};
+    if (backbuffer.desc() != desc || !backbuffer) {
+        backbuffer = gl::Texture{"backbuffer", desc};
+        gl::FramebufferDesc reader;
+        reader.colours[0] = {.texture = backbuffer.name()};
+        backbuffer_reader = gl::Framebuffer{"backbuffer", reader};
+    }
+    return graph.import_texture("backbuffer", backbuffer, true);
+}
+
+bool Renderer::State::take_oldest(std::vector<FrameOutput>& outputs, bool wait) {
+    if (count == 0) return false;
+    InFlight& frame = in_flight[first];
+    constexpr GLuint64 one_second_ns = 1'000'000'000;
+    GLenum status = glClientWaitSync(frame.fence, 0, wait ? one_second_ns : 0);
+    while (wait && status == GL_TIMEOUT_EXPIRED)
+        status = glClientWaitSync(frame.fence, 0, one_second_ns);
+    if (status == GL_TIMEOUT_EXPIRED) return false;
+    glDeleteSync(frame.fence);
+    frame.fence = nullptr;
+    first = (first + 1) % k_max_in_flight;
+    --count;
+
+    const FrameCost& cost = graph.take_cost();
+    systems::Feedback& feedback = frame.output.feedback;
+    feedback.gpu_frame_ms = cost.gpu_ms;
+    feedback.passes.reserve(cost.passes.size());
+    for (const PassCost& pass : cost.passes) {
+        feedback.passes.push_back({.name = pass.name,
+                                   .gpu_ms = pass.gpu_ms,
+                                   .cpu_ms = pass.cpu_ms,
+                                   .bytes_written = pass.bytes_written});
+    }
+    if (frame.display.pending()) frame.output.display = frame.display.take();
+    if (frame.linear.pending()) frame.output.linear = frame.linear.take();
+    if (!frame.is_warm_up) outputs.push_back(std::move(frame.output));
+    return true;
+}
+
+}  // namespace rambla::render

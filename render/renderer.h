@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "assets/scene.h"
+#include "render/render_thread.h"
+
+namespace rambla::render {
+
+/// Draws Frames with the GL context that it makes, in the thread that constructs it. Results of a frame
+/// (timings, captures) come out when the GPU has finished it: nothing waits unless more than two frames are
+/// in flight.
+class Renderer {
+public:
+    /// @throws MissingFeature, gl::ShaderError
+    explicit Renderer(const RenderThreadOptions& options);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Replaces the scene whose indices Frames use.
+    void upload(const assets::Scene& scene);
+
+    /// Draws and shows one frame. @throws std::runtime_error  with GL's messages, if errors are to throw
+    void draw(const FrameInput& input);
+
+    /// Moves the outputs of finished frames behind `outputs`, oldest first. @param wait  finishes all frames
+    /// first
+    void take_finished(std::vector<FrameOutput>& outputs, bool wait);
+
+    [[nodiscard]] bool frames_in_flight() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace rambla::render

@@ -1,0 +1,74 @@
+#include "render/scene_materials.h"
+
+#include <cmath>
+
+#include "render/shaders/shared/bindings.h"
+
+namespace rambla::render {
+
+namespace {
+
+// KHR_texture_transform: uv' = T · R · S · uv with R = [cos sin; −sin cos], as rotation counts
+// counter-clockwise for a v axis that points down.
+shared::UvTransform shader_transform(const assets::TextureSlot& slot) {
+    const float c = std::cos(slot.rotation_rad);
+    const float s = std::sin(slot.rotation_rad);
+    return {.row0 = {c * slot.scale.x, s * slot.scale.y, slot.offset.x, static_cast<float>(slot.uv_set)},
+            .row1 = {-s * slot.scale.x, c * slot.scale.y, slot.offset.y, 0.0f}};
+}
+
+MaterialSlots find_slots(const assets::Material& material, const SceneTextures& textures) {
+    MaterialSlots slots;
+    const auto set = [&](std::size_t unit, const assets::TextureSlot& slot, const BoundTexture& neutral) {
+        const BoundTexture& bound =
+            slot.texture < textures.textures.size() ? textures.textures[slot.texture] : neutral;
+        slots.textures[unit] = bound.texture;
+        slots.samplers[unit] = bound.sampler;
+    };
+    set(UNIT_BASE_COLOUR, material.base_colour_texture, textures.white);
+    set(UNIT_METALNESS_ROUGHNESS, material.metalness_roughness_texture, textures.white);
+    set(UNIT_NORMAL, material.normal_texture, textures.flat_normal);
+    set(UNIT_OCCLUSION, material.occlusion_texture, textures.white);
+    set(UNIT_EMISSIVE, material.emissive_texture, textures.white);
+    return slots;
+}
+
+}  // namespace
+
+shared::Material shader_material(const assets::Material& m) {
+    std::uint32_t flags = 0;
+    if (m.unlit) flags |= shared::k_material_unlit;
+    if (m.double_sided) flags |= shared::k_material_double_sided;
+    if (m.normal_texture.texture != assets::k_none) flags |= shared::k_material_has_normal_texture;
+    return {.base_colour = m.base_colour,
+            .emissive_cutoff = glm::vec4{m.emissive, m.alpha_cutoff},
+            .metalness = m.metalness,
+            .roughness = m.roughness,
+            .normal_scale = m.normal_scale,
+            .occlusion_strength = m.occlusion_strength,
+            .flags = flags,
+            .alpha_mode = static_cast<std::uint32_t>(m.alpha_mode),
+            .padding0 = 0,
+            .padding1 = 0,
+            .base_colour_uv = shader_transform(m.base_colour_texture),
+            .metalness_roughness_uv = shader_transform(m.metalness_roughness_texture),
+            .normal_uv = shader_transform(m.normal_texture),
+            .occlusion_uv = shader_transform(m.occlusion_texture),
+            .emissive_uv = shader_transform(m.emissive_texture)};
+}
+
+SceneMaterials upload_materials(const assets::Scene& scene, const SceneTextures& textures) {
+    SceneMaterials result;
+    result.materials = scene.materials;
+    result.materials.emplace_back();
+    std::vector<shared::Material> rows;
+    rows.reserve(result.materials.size());
+    for (const assets::Material& material : result.materials) {
+        rows.push_back(shader_material(material));
+        result.slots.push_back(find_slots(material, textures));
+    }
+    result.buffer = gl::Buffer{"materials", rows.size() * sizeof(shared::Material), rows.data()};
+    return result;
+}
+
+}  // namespace rambla::render

@@ -1,0 +1,73 @@
+#include "render/scene_store.h"
+
+#include <algorithm>
+
+#include "assets/assert.h"
+#include "render/scene_materials.h"
+#include "render/scene_meshes.h"
+#include "render/scene_textures.h"
+#include "render/shaders/shared/bindings.h"
+
+namespace rambla::render {
+
+struct SceneStore::State {
+    SceneMeshes meshes;
+    SceneTextures textures;
+    SceneMaterials materials;
+};
+
+SceneStore::SceneStore() : state_{std::make_unique<State>()} {
+    upload({});
+}
+SceneStore::~SceneStore() = default;
+
+void SceneStore::upload(const assets::Scene& scene) {
+    // The old scene goes first: two large scenes need not fit beside each other.
+    state_ = std::make_unique<State>();
+    state_->meshes = upload_meshes(scene.meshes);
+    state_->textures = upload_textures(scene);
+    state_->materials = upload_materials(scene, state_->textures);
+}
+
+const MeshRange& SceneStore::mesh(std::uint32_t index) const {
+    RAMBLA_ASSERT(index < state_->meshes.ranges.size(), "Frames use the uploaded scene's indices");
+    return state_->meshes.ranges[index];
+}
+
+std::uint32_t SceneStore::mesh_count() const {
+    return static_cast<std::uint32_t>(state_->meshes.ranges.size());
+}
+
+std::uint32_t SceneStore::material_count() const {
+    return static_cast<std::uint32_t>(state_->materials.materials.size() - 1);
+}
+
+std::uint32_t SceneStore::material_row(std::uint32_t material) const {
+    return std::min(material, material_count());
+}
+
+const assets::Material& SceneStore::material(std::uint32_t index) const {
+    return state_->materials.materials[material_row(index)];
+}
+
+const gl::VertexArray& SceneStore::vertices() const {
+    return state_->meshes.vertices;
+}
+
+gl::BufferRange SceneStore::materials() const {
+    return state_->materials.buffer.range();
+}
+
+void SceneStore::bind_textures(std::uint32_t material) const {
+    const auto& slots = state_->materials.slots[material_row(material)];
+    glBindTextures(UNIT_BASE_COLOUR, static_cast<GLsizei>(slots.textures.size()), slots.textures.data());
+    glBindSamplers(UNIT_BASE_COLOUR, static_cast<GLsizei>(slots.samplers.size()), slots.samplers.data());
+}
+
+void SceneStore::bind_base_colour(std::uint32_t material) const {
+    const auto& slots = state_->materials.slots[material_row(material)];
+    glBindTextureUnit(UNIT_BASE_COLOUR, slots.textures[UNIT_BASE_COLOUR]);
+    glBindSampler(UNIT_BASE_COLOUR, slots.samplers[UNIT_BASE_COLOUR]);
+}
+
+}  // namespace rambla::render

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "assets/scene.h"
+#include "render/gl/buffer.h"
+#include "render/gl/texture.h"
+#include "render/gl/vertex_array.h"
+
+namespace rambla::render {
+
+/// Where a mesh lies in the store's buffers.
+struct MeshRange {
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+    std::int32_t base_vertex = 0;
+    assets::Topology topology = assets::Topology::triangles;
+    assets::Bounds bounds;
+};
+
+/// A scene on the GPU: all meshes in one pair of vertex streams (positions apart, so that depth passes read
+/// 12 bytes a vertex) and one index buffer, textures with mips, materials in one storage buffer. Indices are
+/// those of the scene.
+class SceneStore {
+public:
+    SceneStore();
+    ~SceneStore();
+    SceneStore(const SceneStore&) = delete;
+    SceneStore& operator=(const SceneStore&) = delete;
+
+    /// Replaces everything by the contents of `scene`.
+    void upload(const assets::Scene& scene);
+
+    [[nodiscard]] const MeshRange& mesh(std::uint32_t index) const;
+    [[nodiscard]] std::uint32_t mesh_count() const;
+    [[nodiscard]] std::uint32_t material_count() const;  ///< the default material not counted
+    [[nodiscard]] const assets::Material& material(
+        std::uint32_t index) const;  ///< assets::k_none: glTF's default
+
+    /// The vertex array of all meshes; attributes as shared/bindings.h names them.
+    [[nodiscard]] const gl::VertexArray& vertices() const;
+    /// Array of shared::Material; the default material lies behind the scene's own, at material_count().
+    [[nodiscard]] gl::BufferRange materials() const;
+    /// Row of a material in materials().
+    [[nodiscard]] std::uint32_t material_row(std::uint32_t material) const;
+
+    /// Binds a material's five textures to the units UNIT_BASE_COLOUR … UNIT_EMISSIVE.
+    void bind_textures(std::uint32_t material) const;
+    /// Binds the base colour alone: what masked materials need in depth passes.
+    void bind_base_colour(std::uint32_t material) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace rambla::render

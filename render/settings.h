@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "assets/parameter.h"
+
+namespace rambla::render {
+
+enum class ShadowMethod : std::uint8_t { off, focused };
+
+/// Shadow of the sun: one map fitted to what the camera sees (Brabec et al. 2002), filtered by PCF.
+struct ShadowParameters {
+    ShadowMethod method = ShadowMethod::focused;
+    int size_texels = 4096;
+    int taps = 16;
+    float distance_m = 160.0f;
+    float bias_texels = 1.5f;
+};
+inline constexpr std::array<std::string_view, 2> k_shadow_methods{"off", "focused"};
+inline constexpr std::array k_shadow_parameters{
+    parameter<&ShadowParameters::method>("method", k_shadow_methods, "How the sun's shadow is found."),
+    parameter<&ShadowParameters::size_texels>("size", "texels", 256, 8192,
+                                              "Width and height of the shadow map."),
+    parameter<&ShadowParameters::taps>("taps", "", 4, 16,
+                                       "Depth comparisons per pixel: 4 (one gather) or 16 (four)."),
+    parameter<&ShadowParameters::distance_m>("distance", "m", 10, 2000,
+                                             "How far from the eye shadows are looked for."),
+    parameter<&ShadowParameters::bias_texels>("bias", "texels", 0, 8,
+                                              "Offset along the normal, in shadow texels."),
+};
+
+enum class ToneCurve : std::uint8_t { reinhard, filmic, aces };
+
+struct ToneParameters {
+    ToneCurve curve = ToneCurve::filmic;
+    float exposure_ev = 0.0f;
+};
+inline constexpr std::array<std::string_view, 3> k_tone_curves{"reinhard", "filmic", "aces"};
+inline constexpr std::array k_tone_parameters{
+    parameter<&ToneParameters::curve>("tonemap", k_tone_curves, "Curve from scene light to the display."),
+    parameter<&ToneParameters::exposure_ev>("exposure", "EV", -16, 16,
+                                            "Exposure; 0 shows white under the noon sun as white."),
+};
+
+enum class AntiAliasing : std::uint8_t { none, fxaa };
+
+struct AntiAliasingParameters {
+    AntiAliasing method = AntiAliasing::fxaa;
+};
+inline constexpr std::array<std::string_view, 2> k_anti_aliasing_methods{"none", "fxaa"};
+inline constexpr std::array k_anti_aliasing_parameters{
+    parameter<&AntiAliasingParameters::method>("aa", k_anti_aliasing_methods,
+                                               "How jagged edges are smoothed."),
+};
+
+/// All that a user may choose about drawing, read anew for each Frame.
+struct Settings {
+    ShadowParameters shadows;
+    ToneParameters tone;
+    AntiAliasingParameters anti_aliasing;
+};
+
+}  // namespace rambla::render

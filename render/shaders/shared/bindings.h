@@ -1,0 +1,31 @@
+// Where shaders find what. GLSL needs literals in layout qualifiers, hence macros.
+#ifndef RAMBLA_SHARED_BINDINGS_H
+#define RAMBLA_SHARED_BINDINGS_H
+
+// Uniform blocks.
+#define BINDING_FRAME_UNIFORMS 0  // shared/frame_uniforms.h, bound for the whole frame
+#define BINDING_PASS_UNIFORMS 1   // each pass's own block
+
+// Shader storage blocks.
+#define BINDING_INSTANCES 0  // shared/instance.h, bound for the whole frame
+#define BINDING_MATERIALS 1  // shared/material.h, bound for the whole frame
+#define BINDING_LIGHTS 2     // shared/light.h, bound for the whole frame
+#define BINDING_PASS_STORAGE 3  // first of each pass's own
+
+// Texture units. Material textures are bound by render/draw.h, the others by each pass.
+#define UNIT_BASE_COLOUR 0
+#define UNIT_METALNESS_ROUGHNESS 1
+#define UNIT_NORMAL 2
+#define UNIT_OCCLUSION 3
+#define UNIT_EMISSIVE 4
+#define UNIT_PASS 5  // first of each pass's own
+
+// Vertex attributes of every mesh; missing columns hold neutral values.
+#define ATTRIBUTE_POSITION 0  // vec3, metres
+#define ATTRIBUTE_NORMAL 1    // vec3
+#define ATTRIBUTE_TANGENT 2   // vec4, w: handedness; all zero: the mesh has no tangents
+#define ATTRIBUTE_UV0 3       // vec2
+#define ATTRIBUTE_UV1 4       // vec2
+#define ATTRIBUTE_COLOUR 5    // vec4, linear
+
+#endif

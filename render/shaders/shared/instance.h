@@ -1,0 +1,22 @@
+// One drawn thing: the image of systems::Instance. A shader's index is gl_BaseInstanceARB + gl_InstanceID.
+#ifndef RAMBLA_SHARED_INSTANCE_H
+#define RAMBLA_SHARED_INSTANCE_H
+
+#include "render/shaders/shared/types.h"
+
+SHARED_BEGIN
+struct Instance {
+    vec4 row0;  // rows of the affine camera-relative world_from_local: world.x = dot(row0, vec4(local, 1))
+    vec4 row1;
+    vec4 row2;
+    uint material;
+    uint object;
+    uint reserved0;
+    uint reserved1;
+};
+SHARED_END
+
+#ifdef __cplusplus
+static_assert(sizeof(rambla::render::shared::Instance) == 64);
+#endif
+#endif

@@ -1,0 +1,43 @@
+// A material as shaders read it: factors, flags and texture transforms of assets::Material. Textures are
+// bound per material; absent ones are neutral (white, flat normal), so shaders always multiply and never
+// branch.
+#ifndef RAMBLA_SHARED_MATERIAL_H
+#define RAMBLA_SHARED_MATERIAL_H
+
+#include "render/shaders/shared/types.h"
+
+SHARED_BEGIN
+
+SHARED_CONSTANT k_material_unlit = 1u;
+SHARED_CONSTANT k_material_double_sided = 2u;
+SHARED_CONSTANT k_material_has_normal_texture = 4u;
+
+// uv' = (dot(row0.xy, uv) + row0.z, dot(row1.xy, uv) + row1.z)
+struct UvTransform {
+    vec4 row0;  // w: uv set, 0 or 1
+    vec4 row1;  // w: padding
+};
+
+struct Material {
+    vec4 base_colour;
+    vec4 emissive_cutoff;  // rgb radiance, a: alpha below which a masked material is cut away
+    float metalness;
+    float roughness;
+    float normal_scale;
+    float occlusion_strength;
+    uint flags;       // k_material_…
+    uint alpha_mode;  // assets::AlphaMode
+    uint padding0;
+    uint padding1;
+    UvTransform base_colour_uv;
+    UvTransform metalness_roughness_uv;
+    UvTransform normal_uv;
+    UvTransform occlusion_uv;
+    UvTransform emissive_uv;
+};
+SHARED_END
+
+#ifdef __cplusplus
+static_assert(sizeof(rambla::render::shared::Material) == 224);
+#endif
+#endif

@@ -1,0 +1,51 @@
+#include "render/shadow/result.h"
+
+#include "render/shaders/shared/bindings.h"
+
+namespace rambla::render {
+
+ShadowResultPass::ShadowResultPass(gl::ProgramRegistry& programs) : programs_{programs} {
+    static_cast<void>(program(ShadowParameters{}.taps));
+}
+
+const gl::Program& ShadowResultPass::program(int taps) {
+    const bool wide = taps >= 16;
+    const gl::Program*& variant = variants_[wide ? 1 : 0];
+    if (variant == nullptr) {
+        variant = &programs_.get({.name = "shadow result",
+                                  .vertex = "full_screen.vert.glsl",
+                                  .fragment = "shadow_result.frag.glsl",
+                                  .compute = {},
+                                  .defines = {{"TAPS", wide ? "16" : "4"}}});
+    }
+    return *variant;
+}
+
+void ShadowResultPass::add(RenderGraph& graph, FrameResources& resources) {
+    if (!resources.shadow_map.valid()) return;
+    const gl::Program& lookup = program(resources.settings.shadows.taps);
+    graph.add_pass(
+        "shadow result",
+        [&](PassBuilder& pass) {
+            pass.test_depth(resources.depth);
+            pass.read(resources.depth);
+            pass.read(resources.normal);
+            pass.read(resources.shadow_map);
+            const TextureHandle result =
+                pass.create_texture("shadow result", {.format = GL_R8, .size = resources.size_px()});
+            resources.shadow_result = pass.write_colour(0, result, LoadOp::discard);
+        },
+        [&resources, &lookup](PassContext& context) {
+            const PassSamplers& samplers = resources.samplers;
+            context.bind_texture(UNIT_PASS, resources.depth, samplers.nearest);
+            context.bind_texture(UNIT_PASS + 2, resources.normal, samplers.nearest);
+            context.bind_texture(UNIT_PASS + 4, resources.shadow_map, samplers.depth_compare);
+            resources.sun_shadow.bind(GL_UNIFORM_BUFFER, BINDING_PASS_UNIFORMS);
+            glEnable(GL_DEPTH_TEST);
+            glDepthFunc(GL_LESS);
+            lookup.use();
+            context.draw_full_screen();
+        });
+}
+
+}  // namespace rambla::render

@@ -1,0 +1,116 @@
+#include "render/warm_up.h"
+
+#include <algorithm>
+#include <map>
+
+#include "assets/environment.h"
+
+namespace rambla::render {
+
+namespace {
+
+constexpr std::uint32_t k_size_px = 64;
+constexpr float k_near_m = 0.1f;
+constexpr float k_light_distance_m = 2.0f;
+
+/// For each material in use the mesh with the fewest indices: what is drawn does not matter, only with which
+/// state.
+std::map<std::uint32_t, std::uint32_t> smallest_meshes(const assets::Scene& scene) {
+    std::map<std::uint32_t, std::uint32_t> chosen;
+    for (const assets::Model& model : scene.models) {
+        for (const assets::ModelPart& part : model.parts) {
+            if (part.mesh == assets::k_none) continue;
+            const auto [entry, is_new] = chosen.try_emplace(part.material, part.mesh);
+            const auto size_of = [&](std::uint32_t mesh) {
+                return scene.meshes[mesh].indices.size();
+            };
+            if (!is_new && size_of(part.mesh) < size_of(entry->second)) entry->second = part.mesh;
+        }
+    }
+    return chosen;
+}
+
+/// Moves a mesh so that it stands before the eye, scaled to a metre.
+systems::Instance instance_of(const assets::Mesh& mesh, std::uint32_t material) {
+    const glm::vec3 half = mesh.bounds.empty() ? glm::vec3{1.0f} : mesh.bounds.half_extents();
+    const glm::vec3 centre = mesh.bounds.empty() ? glm::vec3{0.0f} : mesh.bounds.centre();
+    const float scale = 0.5f / std::max({half.x, half.y, half.z, 1e-3f});
+    const glm::vec3 shift = glm::vec3{0.0f, 0.0f, -k_light_distance_m} - scale * centre;
+    systems::Instance instance;
+    instance.row0 = {scale, 0.0f, 0.0f, shift.x};
+    instance.row1 = {0.0f, scale, 0.0f, shift.y};
+    instance.row2 = {0.0f, 0.0f, scale, shift.z};
+    instance.material = material;
+    return instance;
+}
+
+void add_caster(systems::CasterColumns& casters, const systems::DrawBatch& batch) {
+    casters.centre_x.push_back(0.0f);
+    casters.centre_y.push_back(0.0f);
+    casters.centre_z.push_back(-k_light_distance_m);
+    casters.half_x.push_back(0.5f);
+    casters.half_y.push_back(0.5f);
+    casters.half_z.push_back(0.5f);
+    casters.pipeline.push_back(batch.pipeline);
+    casters.material.push_back(batch.material);
+    casters.mesh.push_back(batch.mesh);
+    casters.instance.push_back(batch.first_instance);
+}
+
+systems::Frame warm_up_frame(const assets::Scene& scene) {
+    systems::Frame frame;
+    frame.view.size_px = glm::uvec2{k_size_px};
+    frame.view.clip_from_view = glm::mat4{0.0f};
+    frame.view.clip_from_view[0].x = 1.0f;  // 90° both ways, reversed infinite depth
+    frame.view.clip_from_view[1].y = 1.0f;
+    frame.view.clip_from_view[2].w = -1.0f;
+    frame.view.clip_from_view[3].z = k_near_m;
+    frame.environment = assets::noon();
+    frame.lights.push_back(
+        {.position_m = {0.0f, 0.0f, -0.5f * k_light_distance_m}, .radius_m = k_light_distance_m});
+    for (const auto& [index, mesh] : smallest_meshes(scene)) {
+        const assets::Material material =
+            index < scene.materials.size() ? scene.materials[index] : assets::Material{};
+        const systems::Pipeline pipeline{.double_sided = true,
+                                         .alpha = static_cast<std::uint8_t>(material.alpha_mode),
+                                         .topology = static_cast<std::uint8_t>(scene.meshes[mesh].topology),
+                                         .unlit = material.unlit};
+        const systems::DrawBatch batch{.pipeline = systems::pack(pipeline),
+                                       .material = index,
+                                       .mesh = mesh,
+                                       .first_instance = static_cast<std::uint32_t>(frame.instances.size()),
+                                       .instance_count = 1};
+        frame.instances.push_back(instance_of(scene.meshes[mesh], index));
+        if (material.alpha_mode == assets::AlphaMode::blend) {
+            frame.blended.push_back(batch);
+        } else {
+            frame.opaque.push_back(batch);
+            add_caster(frame.casters, batch);
+        }
+    }
+    return frame;
+}
+
+}  // namespace
+
+std::vector<FrameInput> warm_up_frames(const assets::Scene& scene) {
+    std::vector<FrameInput> inputs;
+    const systems::Frame frame = warm_up_frame(scene);
+    for (const bool emissive : {false, true}) {
+        for (std::size_t i = 0; i < k_tone_curves.size(); ++i) {
+            FrameInput input;
+            input.frame = frame;
+            input.frame.emissive = emissive;
+            input.settings.tone.curve = static_cast<ToneCurve>(i);
+            input.settings.anti_aliasing.method =
+                static_cast<AntiAliasing>(i % k_anti_aliasing_methods.size());
+            input.settings.shadows.method = i == 0 ? ShadowMethod::off : ShadowMethod::focused;
+            input.settings.shadows.size_texels = 256;
+            input.settings.shadows.taps = i == 1 ? 4 : 16;
+            inputs.push_back(std::move(input));
+        }
+    }
+    return inputs;
+}
+
+}  // namespace rambla::render

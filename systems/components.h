@@ -1,0 +1,155 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <tuple>
+#include <vector>
+
+#include "assets/environment.h"
+#include "assets/place.h"
+#include "assets/scene.h"
+#include "ecs/component.h"
+#include "ecs/entity.h"
+
+namespace rambla::systems {
+
+/// Edge of a cell of world space.
+inline constexpr float k_cell_m = 256.0f;
+
+/// A point anywhere: an integer cell and a place inside it, so that a millimetre stays one 1000 km from the
+/// origin.
+struct WorldPosition {
+    glm::ivec3 cell{0};
+    glm::vec3 local_m{0.0f};  ///< [0, k_cell_m) once normalised
+};
+
+/// Component of root entities: which cell their LocalTransform's translation counts from.
+struct Cell {
+    glm::ivec3 value{0};
+};
+
+/// Transform relative to the parent, or to the Cell's corner for roots.
+struct LocalTransform {
+    glm::vec3 translation_m{0.0f};
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    glm::vec3 scale{1.0f};
+};
+
+struct Parent {
+    ecs::Entity entity;
+};
+
+/// Where an entity is: affine map from its own space to the corner of `cell`. Written by the transform system
+/// only.
+struct WorldTransform {
+    glm::ivec3 cell{0};
+    glm::mat3 linear{1.0f};
+    glm::vec3 translation_m{0.0f};
+};
+
+/// WorldTransform of the step before, for things that move: pictures lie between the two.
+struct PreviousWorldTransform {
+    WorldTransform value;
+};
+
+/// One mesh with one material; indices of the world's scene.
+struct Renderable {
+    std::uint32_t mesh = assets::k_none;
+    std::uint32_t material = assets::k_none;
+    std::uint32_t pipeline = 0;  ///< pack(Pipeline), but for `mirrored`, which follows the transform
+};
+
+/// Box of what is drawn, in the entity's own space.
+struct LocalBounds {
+    glm::vec3 centre_m{0.0f};
+    glm::vec3 half_extents_m{0.0f};
+};
+
+/// Does not throw a shadow (glass, ground far below everything).
+struct NoShadow {};
+
+/// A point or spot light at its entity, shining along −Z.
+struct LocalLight {
+    glm::vec3 intensity{1.0f};  ///< illuminance · m²
+    float radius_m = 10.0f;
+    float cos_inner = -1.0f;
+    float cos_outer = -2.0f;  ///< −2: a point light
+};
+
+/// Resource: sun and sky of the world.
+struct Sunlight {
+    assets::Environment environment;
+};
+
+/// Resource: what the queues must know of the scene's materials.
+struct MaterialFacts {
+    std::vector<std::uint8_t> shines;  ///< by material index: 1 if it emits or is unlit
+};
+
+/// Resource: simulation steps taken so far.
+struct Clock {
+    std::uint64_t steps = 0;
+};
+
+/// A link of a path network in one direction, on a line beside its middle.
+struct PathLeg {
+    std::uint32_t link = 0;
+    bool backwards = false;  ///< from the link's end to its start
+    float aside_m = 0.0f;    ///< to the right of the direction of travel
+};
+
+/// Follows links of the Paths resource at constant speed: straight along a leg, then a curve around its end
+/// into the next leg.
+struct PathFollower {
+    assets::ActorKind kind = assets::ActorKind::walker;
+    bool turning = false;  ///< on the curve from `leg` to `next`
+    PathLeg leg;
+    PathLeg next;
+    float progress = 0.0f;  ///< straight: metres from the leg's start; turning: curve parameter in [0, 1)
+    float speed_m_s = 1.3f;
+    std::uint32_t turns = 0;         ///< ends of links passed; counts the random choices
+    glm::vec2 heading{0.0f, -1.0f};  ///< unit vector (x, z) that the actor faces
+    double travelled_m = 0.0;
+};
+
+/// How an actor walks. A cycle is two steps; each foot stands for one half of it and swings for the other.
+struct Gait {
+    float leg_length_m = 0.9f;  ///< hip to sole at rest, in the root's own space; > 0
+    float phase = 0.0f;         ///< [0, 1); the left foot stands in the first half
+    float reach = 0.0f;         ///< sine of the hip's angle when a foot lands; 0 at rest
+};
+
+enum class LimbRole : std::uint8_t { leg, shin, arm, forearm, torso, head };
+
+/// A part of a walker that swings about its local X axis (torso and head: turn about Y) as the actor's Gait
+/// says.
+struct GaitLimb {
+    ecs::Entity actor;
+    LimbRole role = LimbRole::leg;
+    bool right = false;
+    glm::quat rest{1.0f, 0.0f, 0.0f, 0.0f};  ///< rotation when standing
+};
+
+/// A wheel that rolls about its local X axis as far as its actor travels.
+struct WheelSpin {
+    ecs::Entity actor;
+    float radius_m = 0.3f;
+    glm::quat rest{1.0f, 0.0f, 0.0f, 0.0f};
+};
+
+}  // namespace rambla::systems
+
+/// Members that hold entities, for recorded commands.
+template <>
+struct rambla::ecs::entity_members<rambla::systems::Parent> {
+    static constexpr std::tuple value{&rambla::systems::Parent::entity};
+};
+template <>
+struct rambla::ecs::entity_members<rambla::systems::GaitLimb> {
+    static constexpr std::tuple value{&rambla::systems::GaitLimb::actor};
+};
+template <>
+struct rambla::ecs::entity_members<rambla::systems::WheelSpin> {
+    static constexpr std::tuple value{&rambla::systems::WheelSpin::actor};
+};

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "assets/environment.h"
+
+namespace rambla::systems {
+
+/// Everything below is relative to the camera: world axes, origin at the eye, metres. Only packing makes it
+/// so; the eye's own place is in FrameView, for what needs to know where in the world a picture was taken.
+
+/// One look at the world. Reversed Z: depth 1 at the near plane, 0 at infinity (orthographic: at the far
+/// plane).
+struct FrameView {
+    glm::mat4 view_from_world{1.0f};  ///< rotation only
+    glm::mat4 clip_from_view{1.0f};
+    glm::ivec3 eye_cell{0};
+    glm::vec3 eye_local_m{0.0f};
+    glm::uvec2 size_px{0};
+    bool orthographic = false;
+};
+
+/// How a mesh is drawn: everything that needs another GL state. Index of the key's pipeline field.
+struct Pipeline {
+    bool double_sided = false;
+    bool mirrored = false;      ///< negative determinant: front faces wind clockwise
+    std::uint8_t alpha = 0;     ///< assets::AlphaMode
+    std::uint8_t topology = 0;  ///< assets::Topology
+    bool unlit = false;
+
+    bool operator==(const Pipeline&) const = default;
+};
+
+[[nodiscard]] constexpr std::uint32_t pack(Pipeline p) {
+    return (p.topology << 5u) | (p.alpha << 3u) | (p.unlit ? 4u : 0u) | (p.double_sided ? 2u : 0u) |
+           (p.mirrored ? 1u : 0u);
+}
+[[nodiscard]] constexpr Pipeline unpack_pipeline(std::uint32_t bits) {
+    return {.double_sided = (bits & 2u) != 0,
+            .mirrored = (bits & 1u) != 0,
+            .alpha = static_cast<std::uint8_t>((bits >> 3u) & 3u),
+            .topology = static_cast<std::uint8_t>((bits >> 5u) & 3u),
+            .unlit = (bits & 4u) != 0};
+}
+
+/// One drawn thing, as it lies in the instance buffer on the GPU (render/shaders/shared/instance.h mirrors
+/// it).
+struct Instance {
+    glm::vec4 row0{1.0f, 0.0f, 0.0f, 0.0f};  ///< rows of the affine camera-relative world_from_local
+    glm::vec4 row1{0.0f, 1.0f, 0.0f, 0.0f};
+    glm::vec4 row2{0.0f, 0.0f, 1.0f, 0.0f};
+    std::uint32_t material = 0;
+    std::uint32_t object = 0;  ///< entity index, for picking
+    std::uint32_t reserved0 = 0;
+    std::uint32_t reserved1 = 0;
+};
+static_assert(sizeof(Instance) == 64);
+
+/// Neighbours in a sorted queue with equal pipeline, material and mesh: one instanced draw.
+struct DrawBatch {
+    std::uint32_t pipeline = 0;  ///< pack(Pipeline)
+    std::uint32_t material = 0;
+    std::uint32_t mesh = 0;
+    std::uint32_t first_instance = 0;  ///< into Frame::instances
+    std::uint32_t instance_count = 0;
+};
+
+/// What may throw a shadow into the picture: bounds as columns (centres and half extents), and where each is
+/// drawn from. Sorted by pipeline, material and mesh; a renderer culls rows per shadow map and merges
+/// neighbours.
+struct CasterColumns {
+    std::vector<float> centre_x, centre_y, centre_z;
+    std::vector<float> half_x, half_y, half_z;
+    std::vector<std::uint32_t> pipeline, material, mesh, instance;
+
+    [[nodiscard]] std::size_t size() const { return instance.size(); }
+};
+
+/// A point or spot light that reaches the picture.
+struct FrameLight {
+    glm::vec3 position_m{0.0f};
+    float radius_m = 0.0f;      ///< its light is zero from here on (window (1 − (d/r)⁴)²)
+    glm::vec3 intensity{0.0f};  ///< illuminance · m²
+    float cos_outer = -2.0f;    ///< point lights: −2, so that the cone never cuts
+    glm::vec3 direction{0.0f, -1.0f, 0.0f};
+    float cos_inner = -1.0f;
+};
+
+/// Pixels that game asks for with this Frame.
+struct CaptureRequest {
+    bool display = false;  ///< 8-bit sRGB, what the screen shows
+    bool linear = false;   ///< float, scene colour before tone mapping
+};
+
+/// Counts of what looking and packing did, for the stats of a run.
+struct FrameCounts {
+    std::uint32_t renderables = 0;
+    std::uint32_t visible = 0;
+    std::uint32_t casters = 0;
+    std::uint32_t lights = 0;
+    std::uint32_t visible_lights = 0;
+    std::uint32_t broken_bounds = 0;  ///< NaN or infinite: drawn all the same
+};
+
+/// All that the renderer may know of one moment: plain data, no pointers into the world, no GL names.
+struct Frame {
+    std::uint64_t number = 0;
+    double time_s = 0.0;
+    FrameView view;
+    assets::Environment environment;
+    std::vector<Instance> instances;
+    std::vector<DrawBatch>
+        opaque;  ///< alpha modes opaque and mask: by pipeline, material, mesh, front to back
+    std::vector<DrawBatch> blended;  ///< back to front
+    CasterColumns casters;
+    std::vector<FrameLight> lights;
+    bool emissive = false;  ///< some visible material emits or is unlit: the emission target is needed
+    CaptureRequest capture;
+    FrameCounts counts;
+    std::shared_ptr<const void>
+        hud;  ///< opaque to all but game, which fills it, and render/post/hud, which draws it
+};
+
+}  // namespace rambla::systems

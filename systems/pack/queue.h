@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "systems/frame.h"
+#include "systems/look/culling.h"
+#include "systems/pack/radix_sort.h"
+#include "systems/pack/sort_key.h"
+
+namespace rambla::systems {
+
+/// Bits of the visibility masks that packing reads.
+inline constexpr std::uint32_t k_seen_by_camera = 1u;
+inline constexpr std::uint32_t k_seen_by_sun = 2u;  ///< may throw a shadow into the picture
+
+/// Turns what was seen into the Frame's sorted queues. Keeps its memory.
+class PackQueues {
+public:
+    /// Replaces the Frame's instances, batches, casters and `emissive`.
+    /// @param forward  unit vector along the view: depth is measured along it
+    void operator()(const Culling& culling, const Observer& observer, glm::vec3 forward,
+                    const MaterialFacts& facts, Frame& frame);
+
+private:
+    void make_keys(const Culling& culling, glm::vec3 forward, const MaterialFacts& facts, Frame& frame);
+    std::uint32_t add_instance(const Culling& culling, const Observer& observer, std::uint32_t row,
+                               Frame& frame);
+
+    RadixSort sort_;
+    std::vector<SortKey> keys_;
+    std::vector<std::uint32_t> rows_;
+    std::vector<std::uint32_t> chunk_of_row_;
+    std::vector<std::uint32_t> instance_of_row_;  ///< k_none until written
+    std::vector<std::uint32_t> pipeline_of_row_;  ///< with `mirrored`, of rows that are drawn
+};
+
+/// Appends one drawn thing to a queue: to its last batch if that can take it, else as a new batch.
+void append_draw(std::vector<DrawBatch>& queue, std::uint32_t pipeline, std::uint32_t material,
+                 std::uint32_t mesh, std::uint32_t instance);
+
+/// Whether an affine map turns the world inside out. Singular maps do not.
+[[nodiscard]] bool mirrors(const glm::mat3& linear);
+
+}  // namespace rambla::systems

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "assets/scene.h"
+#include "ecs/world.h"
+#include "systems/components.h"
+#include "systems/frame.h"
+
+namespace rambla::systems {
+
+/// Simulation step: 60 Hz, whatever the picture rate.
+inline constexpr double k_step_s = 1.0 / 60.0;
+
+/// The eye that a Frame is built for; looks along −Z of its rotation.
+struct Eye {
+    WorldPosition place;
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    assets::CameraKind kind = assets::CameraKind::perspective;
+    float vertical_fov_rad = 1.0f;
+    float half_height_m = 1.0f;  ///< orthographic
+    float near_m = 0.05f;
+    float far_m = 1000.0f;  ///< orthographic only
+    glm::uvec2 size_px{960, 540};
+};
+
+/// Milliseconds that a system took when it last ran.
+struct SystemTiming {
+    const char* name = "";
+    double ms = 0.0;
+};
+
+/// Resource: what the last step() and build_frame() cost. Measured, hence no part of the simulation's state.
+struct StepTimings {
+    SystemTiming actors{"actors"};
+    SystemTiming transforms{"transforms"};
+    SystemTiming culling{"culling"};
+    SystemTiming lights{"lights"};
+    SystemTiming packing{"packing"};
+
+    [[nodiscard]] std::array<SystemTiming, 5> all() const {
+        return {actors, transforms, culling, lights, packing};
+    }
+};
+
+/// Advances the simulation by one fixed step: actors along their paths, gaits, transforms. Allocates nothing
+/// in a steady state, and gives the same bits for any number of threads.
+void step(ecs::World& world);
+
+/// Looks at the world from `eye` and packs what the renderer needs. Reuses the Frame's memory: no allocation
+/// in a steady state. `capture` and `hud` are the caller's and stay as they are.
+/// @param interpolation  in [0, 1]: 0 shows the previous step, 1 the newest
+void build_frame(ecs::World& world, const Eye& eye, float interpolation, Frame& frame);
+
+/// 64-bit hash of all simulation columns: equal for equal seeds and inputs.
+[[nodiscard]] std::uint64_t state_hash(const ecs::World& world);
+
+}  // namespace rambla::systems

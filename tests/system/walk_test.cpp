@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "system/pictures.h"
+#include "system/program.h"
+
+namespace rambla::system_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string k_small_city = "city:blocks=1x1,walkers=6,cars=2";
+
+struct WalkProgram : testing::Test {
+    ScratchFolder scratch;
+    fs::path folder = scratch.path();
+
+    nlohmann::json json(const Ended& ended) {
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        return nlohmann::json::parse(ended.out);
+    }
+};
+
+TEST_F(WalkProgram, DrawsFramesThatDifferAreNotBlackAndHoldNumbersOnly) {
+    const Ended ended =
+        rambla({"walk", "--headless", "--scene", k_small_city, "--frames", "6", "--size", "320x180",
+                "--format", "exr", "--profile-frames", "2", "-o", "w", "--graph", "graph.svg", "--json", "-"},
+               folder);
+    const nlohmann::json result = json(ended);
+    for (int i = 0; i < 6; ++i) {
+        const std::string name = "w/frame_000" + std::to_string(i);
+        const assets::Image shown = picture(folder / (name + ".png"));
+        EXPECT_EQ(shown.width, 320u);
+        EXPECT_EQ(shown.height, 180u);
+        // A street at noon: far from black, and not washed out either.
+        EXPECT_GT(mean_byte(shown), 30.0) << name;
+        EXPECT_LT(mean_byte(shown), 230.0) << name;
+        EXPECT_EQ(non_finite_texels(picture(folder / (name + ".exr"))), 0u) << name;
+        if (i == 0) continue;
+        const assets::Image before = picture(folder / ("w/frame_000" + std::to_string(i - 1) + ".png"));
+        EXPECT_GT(mean_difference(before, shown), 2.0) << "frames " << i - 1 << " and " << i << " look alike";
+    }
+    EXPECT_FALSE(fs::exists(folder / "w/frame_0006.png"));
+    EXPECT_GT(mean_byte(picture(folder / "w/contact.png")), 10.0);
+    EXPECT_THAT(file_text(folder / "graph.svg"), testing::HasSubstr("<svg"));
+
+    EXPECT_EQ(result["schema"], "rambla.walk/1");
+    EXPECT_EQ(result["frames"], 6);
+    EXPECT_GT(result["triangles_median"].get<double>(), 1000.0);
+    const nlohmann::json& table = result["pass_table"];
+    EXPECT_GE(table["passes"].size(), 5u);
+    double passes_ms = 0.0;
+    for (const nlohmann::json& pass : table["passes"])
+        passes_ms += pass["gpu_ms_median"].get<double>();
+    const double frame_ms = table["frame"]["gpu_ms_median"];
+    EXPECT_GT(frame_ms, 0.0);
+    // Medians of two frames on a loaded machine do not add up exactly; a pass without its flush would read
+    // near 0, and the passes then explain a fraction of the frame.
+    EXPECT_GT(passes_ms, 0.8 * frame_ms);
+    EXPECT_LT(passes_ms, 1.3 * frame_ms);
+    EXPECT_THAT(file_text(folder / "w/passes.txt"), testing::HasSubstr("(missing)"));
+}
+
+TEST_F(WalkProgram, FramesOfAnEarlierWalkAreGone) {
+    write_file(folder / "frame_0077.png", "old");
+    write_file(folder / "holiday.png", "mine");
+    const Ended ended = rambla({"walk", "--headless", "--scene", k_small_city, "--frames", "1", "--size",
+                                "64x36", "--profile-frames", "0", "-o", ".", "--quiet"},
+                               folder);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(ended.err, "");
+    EXPECT_FALSE(fs::exists(folder / "frame_0077.png"));
+    EXPECT_TRUE(fs::exists(folder / "frame_0000.png"));
+    EXPECT_EQ(file_text(folder / "holiday.png"), "mine");
+}
+
+TEST_F(WalkProgram, TwoHundredFramesHoldNoMoreThanFifty) {
+    const Ended ended = rambla(
+        {"walk", "--headless", "--scene", k_small_city, "--frames", "200", "--size", "96x54", "--shadows",
+         "focused:size=256,taps=4", "--profile-frames", "0", "--stats", "-o", "w", "--json", "-"},
+        folder);
+    const nlohmann::json result = json(ended);
+    EXPECT_EQ(result["steady"], true) << ended.err;
+    EXPECT_EQ(result["gl_object_growth"], 0);
+    EXPECT_THAT(ended.err, testing::HasSubstr("memory: steady over frames 50 to 199"));
+}
+
+TEST_F(WalkProgram, TheSimulationIsTheSameForAnyNumberOfThreads) {
+    const auto hash = [&](const char* threads, const char* seed) {
+        return json(rambla({"walk", "--no-render", "--steps", "300", "--threads", threads, "--seed", seed,
+                            "--scene", "city:blocks=2x2,walkers=300,cars=20", "--json", "-"},
+                           folder))["state_hash"]
+            .get<std::string>();
+    };
+    const std::string one = hash("1", "5");
+    EXPECT_EQ(one, hash("2", "5"));
+    EXPECT_NE(one, hash("1", "6")) << "the seed must matter";
+}
+
+TEST_F(WalkProgram, FarFromTheWorldsOriginThePictureIsTheSame) {
+    const auto walk = [&](const char* origin, const char* out) {
+        const Ended ended = rambla({"walk", "--headless", "--scene", k_small_city, "--frames", "1", "--size",
+                                    "160x90", "--profile-frames", "0", "--origin", origin, "-o", out},
+                                   folder);
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        return picture(folder / out / "frame_0000.png");
+    };
+    const assets::Image home = walk("0,0,0", "home");
+    const assets::Image far = walk("1000000,0,-1000000", "far");
+    // The camera stands on the float grid of another cell, 3e-5 m apart at most: single pixels on edges may
+    // change.
+    EXPECT_LT(mean_difference(home, far), 0.5);
+}
+
+}  // namespace
+}  // namespace rambla::system_test

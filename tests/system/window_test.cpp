@@ -1,0 +1,163 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "system/pictures.h"
+#include "system/program.h"
+
+namespace rambla::system_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An X server of its own on a free display, with a window of rambla on it, and fingers on its keyboard.
+struct Window : testing::Test {
+    ScratchFolder scratch;
+    fs::path folder = scratch.path();
+    std::unique_ptr<Process> server;
+    std::unique_ptr<Process> program;
+    std::string display;
+    std::string window;
+
+    void SetUp() override {
+        std::array<int, 2> pipe_ends{};
+        ASSERT_EQ(pipe(pipe_ends.data()), 0);
+        ASSERT_NE(fcntl(pipe_ends[0], F_SETFD, FD_CLOEXEC), -1);
+        server = std::make_unique<Process>(
+            std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(pipe_ends[1]), "-screen", "0",
+                                     "640x480x24"},
+            Environment{}, folder);
+        close(pipe_ends[1]);
+        // The server writes its number once it takes connections; if it fails instead, the pipe just ends.
+        std::string number;
+        for (char c = 0; read(pipe_ends[0], &c, 1) == 1 && c != '\n';)
+            number += c;
+        close(pipe_ends[0]);
+        ASSERT_FALSE(number.empty()) << "Xvfb does not start";
+        display = ":" + number;
+    }
+
+    void TearDown() override {
+        program.reset();
+        if (!server) return;
+        server->terminate();
+        static_cast<void>(server->wait(std::chrono::seconds{20}));
+    }
+
+    void start(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), RAMBLA_PROGRAM);
+        program = std::make_unique<Process>(
+            arguments, Environment{{"DISPLAY", display}, {"WAYLAND_DISPLAY", ""}}, folder);
+        ASSERT_TRUE(eventually([&] {
+            window = xdotool({"search", "--onlyvisible", "--name", "^Rambla"});
+            return !window.empty() || !program->running();
+        }));
+        ASSERT_TRUE(program->running()) << program->wait(k_patience).err;
+        window = window.substr(0, window.find('\n'));
+        static_cast<void>(xdotool({"windowfocus", "--sync", window}));
+    }
+
+    std::string xdotool(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "xdotool");
+        return Process{arguments, {{"DISPLAY", display}}, folder}.wait(std::chrono::seconds{30}).out;
+    }
+
+    /// Presses F12 until the picture is there: a window may take its first keys late.
+    assets::Image screenshot(int number) {
+        const fs::path file = folder / "out" / ("screenshot_000" + std::to_string(number) + ".png");
+        static_cast<void>(xdotool({"key", "F12"}));
+        EXPECT_TRUE(eventually([&] { return fs::exists(file) || !program->running(); }))
+            << "no screenshot " << number;
+        return picture(file);
+    }
+
+    Ended quit() {
+        static_cast<void>(xdotool({"key", "Escape"}));
+        return program->wait(k_patience);
+    }
+};
+
+const std::vector<std::string> k_play{"play",       "--scene",   "city:blocks=1x1,walkers=2,cars=1",
+                                      "--size",     "160x90",    "--json",
+                                      "state.json", "--shadows", "focused:size=256,taps=4"};
+
+TEST_F(Window, AHeldKeyWalksAndEscapeQuits) {
+    start(k_play);
+    const assets::Image before = screenshot(0);
+    static_cast<void>(xdotool({"keydown", "w"}));
+    // The camera has moved when the picture has: people move a few pixels, a walk moves all.
+    assets::Image after = before;
+    int shots = 1;
+    EXPECT_TRUE(
+        eventually([&] { return mean_difference(before, after = screenshot(shots++)) > 4.0 || shots > 9; }));
+    static_cast<void>(xdotool({"keyup", "w"}));
+    const Ended ended = quit();
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    const nlohmann::json walked = nlohmann::json::parse(file_text(folder / "state.json"));
+    EXPECT_GT(mean_difference(before, after), 4.0);
+
+    // The same place, left at once, tells where the walk began.
+    fs::remove(folder / "state.json");
+    start(k_play);
+    EXPECT_EQ(quit().exit_code, 0);
+    const nlohmann::json stood = nlohmann::json::parse(file_text(folder / "state.json"));
+    const double x = walked["eye_m"][0].get<double>() - stood["eye_m"][0].get<double>();
+    const double z = walked["eye_m"][2].get<double>() - stood["eye_m"][2].get<double>();
+    EXPECT_GT(std::hypot(x, z), 0.3);
+    EXPECT_NEAR(walked["eye_m"][1].get<double>(), stood["eye_m"][1].get<double>(), 0.5)
+        << "still on the street";
+    // W leads where the eye looks.
+    const double yaw = stood["yaw_deg"].get<double>() * M_PI / 180.0;
+    EXPECT_GT(-std::sin(yaw) * x - std::cos(yaw) * z, 0.25);
+}
+
+TEST_F(Window, HelpAndOverlayAreDrawnOverThePicture) {
+    start({"play", "--scene", "city:blocks=1x1,walkers=0,cars=0", "--size", "480x270", "--shadows", "off"});
+    const assets::Image plain = screenshot(0);
+    static_cast<void>(xdotool({"key", "F1"}));
+    const assets::Image help = screenshot(1);
+    static_cast<void>(xdotool({"key", "F1"}));
+    static_cast<void>(xdotool({"key", "F3"}));
+    const assets::Image timings = screenshot(2);
+    // A dark panel over the middle for help, one at the upper right for timings. The first notice fades,
+    // hence the regions are compared rather than all.
+    const auto difference_at = [&](const assets::Image& image, std::uint32_t x, std::uint32_t y) {
+        double sum = 0.0;
+        for (std::uint32_t dy = 0; dy < 20; ++dy) {
+            for (std::uint32_t dx = 0; dx < 20; ++dx)
+                sum += std::abs(byte_at(image, x + dx, y + dy, 0) - byte_at(plain, x + dx, y + dy, 0));
+        }
+        return sum / 400.0;
+    };
+    EXPECT_GT(difference_at(help, 230, 125), 10.0);
+    EXPECT_LT(difference_at(timings, 230, 125), 5.0);
+    EXPECT_GT(difference_at(timings, 420, 30), 10.0);
+    EXPECT_EQ(quit().exit_code, 0);
+}
+
+TEST_F(Window, AGivenNumberOfFramesEndsByItself) {
+    start({"play", "--scene", "city:blocks=1x1,walkers=2,cars=1", "--size", "96x54", "--frames", "20",
+           "--json", "-"});
+    const Ended ended = program->wait(k_patience);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(nlohmann::json::parse(ended.out)["frames"], 20);
+}
+
+TEST_F(Window, AModelIsShownAndEscapeQuits) {
+    const Ended made =
+        rambla({"generate", "city:blocks=1x1,walkers=1,cars=1", "-o", "city.glb", "--quiet"}, folder);
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    start({"view", "city.glb", "--size", "160x90"});
+    EXPECT_GT(mean_byte(screenshot(0)), 20.0);
+    EXPECT_EQ(quit().exit_code, 0);
+}
+
+}  // namespace
+}  // namespace rambla::system_test

@@ -1,0 +1,70 @@
+#include "ecs/memory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "ecs/misuse.h"
+
+namespace rambla::ecs {
+namespace {
+
+constexpr std::size_t k_gibibyte = std::size_t{1} << 30u;
+
+TEST(ReservedMemory, CommitsNothingUntilAsked) {
+    const ReservedMemory memory{16 * k_gibibyte};
+    EXPECT_EQ(memory.committed_bytes(), 0u);
+    EXPECT_GE(memory.reserved_bytes(), 16 * k_gibibyte);
+}
+
+TEST(ReservedMemory, KeepsItsAddressAndContentsWhenItGrows) {
+    ReservedMemory memory{k_gibibyte};
+    memory.commit(100);
+    const std::byte* before = memory.data();
+    std::memset(memory.data(), 7, 100);
+    memory.commit(10'000'000);
+    if (ReservedMemory::grows_in_place) {
+        EXPECT_EQ(memory.data(), before);
+    }
+    EXPECT_TRUE(
+        std::all_of(memory.data(), memory.data() + 100, [](std::byte b) { return b == std::byte{7}; }));
+    EXPECT_EQ(memory.data()[9'999'999], std::byte{0});
+    EXPECT_GE(memory.committed_bytes(), 10'000'000u);
+    EXPECT_LE(memory.committed_bytes(), 10'000'000u + 65'536u) << "at most one page more, whatever its size";
+}
+
+TEST(ReservedMemory, IsAlignedForColumns) {
+    ReservedMemory memory{k_gibibyte};
+    memory.commit(1);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(memory.data()) % 64, 0u);
+}
+
+TEST(ReservedMemory, RefusesMoreThanWasReservedAndStaysAsItIs) {
+    ReservedMemory memory{1 << 20};
+    memory.commit(4096);
+    memory.data()[0] = std::byte{1};
+    EXPECT_THROW(memory.commit(memory.reserved_bytes() + 1), CapacityExceeded);
+    EXPECT_EQ(memory.data()[0], std::byte{1});
+}
+
+TEST(ReservedMemory, RefusesAnImpossibleReservation) {
+    if (!ReservedMemory::grows_in_place) GTEST_SKIP() << "nothing is reserved on this system";
+    EXPECT_THROW(ReservedMemory{std::size_t{1} << 60u}, CapacityExceeded);
+}
+
+TEST(ReservedMemory, MovingHandsTheRangeOver) {
+    ReservedMemory first{k_gibibyte};
+    first.commit(1);
+    first.data()[0] = std::byte{9};
+    ReservedMemory second{k_gibibyte};
+    second = std::move(first);
+    EXPECT_EQ(second.data()[0], std::byte{9});
+    ReservedMemory third{std::move(second)};
+    EXPECT_EQ(third.data()[0], std::byte{9});
+}
+
+}  // namespace
+}  // namespace rambla::ecs

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "ecs/component.h"
+
+namespace rambla::ecs::test {
+
+struct Position {
+    float x = 0.0f, y = 0.0f, z = 0.0f;
+    bool operator==(const Position&) const = default;
+};
+struct Velocity {
+    float x = 0.0f, y = 0.0f, z = 0.0f;
+    bool operator==(const Velocity&) const = default;
+};
+struct Health {
+    int points = 0;
+};
+struct Byte {
+    std::uint8_t value = 0;
+};
+struct alignas(64) Line {
+    std::array<float, 16> values{};
+};
+struct Frozen {};
+struct Hidden {};
+
+/// Knows its own address: copying its bytes breaks it, and every one that is made must end.
+class Anchored {
+public:
+    explicit Anchored(int number = 0) : self_{this}, number_{number} { ++alive; }
+    Anchored(Anchored&& other) noexcept : self_{this}, number_{other.number_} { ++alive; }
+    Anchored& operator=(Anchored&& other) noexcept {
+        number_ = other.number_;
+        return *this;
+    }
+    ~Anchored() {
+        self_ = nullptr;
+        --alive;
+    }
+
+    [[nodiscard]] bool intact() const { return self_ == this; }
+    [[nodiscard]] int number() const { return number_; }
+
+    inline static int alive = 0;
+
+private:
+    Anchored* self_;
+    int number_;
+};
+
+/// Owns memory, but may be moved by its bytes.
+struct Owner {
+    std::unique_ptr<int> value;
+};
+
+struct Parent {
+    Entity entity;
+};
+
+/// Many distinct components.
+template <int N>
+struct Part {
+    float value = static_cast<float>(N);
+};
+
+}  // namespace rambla::ecs::test
+
+template <>
+struct rambla::ecs::is_relocatable<rambla::ecs::test::Owner> : std::true_type {};
+
+template <>
+struct rambla::ecs::entity_members<rambla::ecs::test::Parent> {
+    static constexpr std::tuple value{&rambla::ecs::test::Parent::entity};
+};

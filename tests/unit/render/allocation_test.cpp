@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "render/renderer.h"
+
+namespace {
+
+// Of this thread alone: the rasteriser's own threads are none of our business.
+thread_local std::size_t allocations = 0;
+
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+    ++allocations;
+    if (void* memory = std::malloc(bytes != 0 ? bytes : 1)) return memory;
+    throw std::bad_alloc{};
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace rambla::render {
+namespace {
+
+/// One white triangle before the eye, under a sun that makes it throw a shadow, beside a lamp.
+FrameInput one_triangle() {
+    FrameInput input;
+    systems::Frame& frame = input.frame;
+    frame.view.size_px = {64, 32};
+    frame.view.clip_from_view = glm::mat4{0.0f};
+    frame.view.clip_from_view[0].x = 0.5f;
+    frame.view.clip_from_view[1].y = 1.0f;
+    frame.view.clip_from_view[2].w = -1.0f;
+    frame.view.clip_from_view[3].z = 0.1f;
+    frame.environment = assets::noon();
+    frame.instances.push_back({.row2 = {0.0f, 0.0f, 1.0f, -3.0f}, .material = 0});
+    frame.opaque.push_back(
+        {.pipeline = systems::pack({}), .material = 0, .mesh = 0, .first_instance = 0, .instance_count = 1});
+    frame.lights.push_back(
+        {.position_m = {0.0f, 0.0f, -2.0f}, .radius_m = 5.0f, .intensity = glm::vec3{1.0f}});
+    systems::CasterColumns& casters = frame.casters;
+    for (auto* column : {&casters.centre_x, &casters.centre_y})
+        column->push_back(0.0f);
+    casters.centre_z.push_back(-3.0f);
+    for (auto* column : {&casters.half_x, &casters.half_y, &casters.half_z})
+        column->push_back(1.0f);
+    for (auto* column : {&casters.pipeline, &casters.material, &casters.mesh, &casters.instance}) {
+        column->push_back(0);
+    }
+    return input;
+}
+
+assets::Scene one_mesh() {
+    assets::Scene scene;
+    assets::Mesh& mesh = scene.meshes.emplace_back();
+    mesh.positions = {{-1.0f, -1.0f, 0.0f}, {1.0f, -1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}};
+    mesh.indices = {0, 1, 2};
+    for (const glm::vec3& position : mesh.positions)
+        mesh.bounds.expand(position);
+    scene.materials.emplace_back();
+    return scene;
+}
+
+TEST(Renderer, AllocatesNothingInASteadyFrame) {
+    RenderThreadOptions options;
+    options.compile_ahead = false;
+    Renderer renderer{options};
+    renderer.upload(one_mesh());
+    const FrameInput input = one_triangle();
+    std::vector<FrameOutput> outputs;
+    std::size_t last = 1;
+    for (int frame = 0; frame < 12; ++frame) {
+        const std::size_t before = allocations;
+        renderer.draw(input);
+        last = allocations - before;
+        renderer.take_finished(outputs, true);  // the outputs are the caller's, and so is their memory
+    }
+    EXPECT_EQ(last, 0u);
+    ASSERT_EQ(outputs.size(), 12u);
+    EXPECT_GE(outputs.back().feedback.draws, 2u) << "the triangle was drawn, and its shadow";
+    EXPECT_GE(outputs.back().feedback.triangles, 2u);
+}
+
+}  // namespace
+}  // namespace rambla::render

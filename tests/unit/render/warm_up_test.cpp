@@ -1,0 +1,98 @@
+#include "render/warm_up.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+
+#include "render/renderer.h"
+
+namespace rambla::render {
+namespace {
+
+/// A scene with every kind of material and topology.
+assets::Scene all_kinds() {
+    assets::Scene scene;
+    scene.images.push_back(
+        {.name = "grey", .width = 1, .height = 1, .texels = std::vector(4, std::byte{128})});
+    scene.textures.push_back({.name = "grey", .image = 0});
+    for (const assets::Topology topology :
+         {assets::Topology::triangles, assets::Topology::lines, assets::Topology::points}) {
+        assets::Mesh& mesh = scene.meshes.emplace_back();
+        mesh.topology = topology;
+        mesh.positions = {{-1.0f, -1.0f, 0.0f}, {1.0f, -1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}};
+        mesh.indices = topology == assets::Topology::lines ? std::vector<std::uint32_t>{0, 1}
+                                                           : std::vector<std::uint32_t>{0, 1, 2};
+        for (const glm::vec3& position : mesh.positions)
+            mesh.bounds.expand(position);
+    }
+    assets::Model& model = scene.models.emplace_back();
+    const auto add = [&](const assets::Material& material, std::uint32_t mesh) {
+        model.parts.push_back({.mesh = mesh, .material = static_cast<std::uint32_t>(scene.materials.size())});
+        scene.materials.push_back(material);
+    };
+    for (const auto mode : {assets::AlphaMode::opaque, assets::AlphaMode::mask, assets::AlphaMode::blend}) {
+        for (const bool unlit : {false, true}) {
+            for (const std::uint32_t texture : {assets::k_none, 0u}) {
+                assets::Material material;
+                material.alpha_mode = mode;
+                material.unlit = unlit;
+                material.normal_texture.texture = texture;
+                add(material, 0);
+            }
+        }
+    }
+    add({}, 1);
+    add({}, 2);
+    model.parts.push_back({.mesh = 0, .material = assets::k_none});
+    return scene;
+}
+
+TEST(WarmUp, DrawsEveryMaterialOnce) {
+    const assets::Scene scene = all_kinds();
+    for (const FrameInput& input : warm_up_frames(scene)) {
+        EXPECT_EQ(input.frame.opaque.size() + input.frame.blended.size(), scene.materials.size() + 1);
+        EXPECT_EQ(input.frame.blended.size(), 4u);
+        EXPECT_EQ(input.frame.casters.size(), input.frame.opaque.size());
+    }
+}
+
+TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
+    auto texts = std::make_shared<std::atomic<int>>(0);
+    RenderThreadOptions options;
+    options.gl_errors_throw = true;
+    options.shaders = [texts](const std::string& path) {
+        ++*texts;
+        return embedded_shader(path);
+    };
+    const assets::Scene scene = all_kinds();
+    Renderer renderer{options};
+    renderer.upload(scene);
+    const int compiled = *texts;
+    EXPECT_GT(compiled, 0);
+
+    FrameInput input = warm_up_frames(scene).front();
+    for (const bool emissive : {false, true}) {
+        for (const auto method : {ShadowMethod::off, ShadowMethod::focused}) {
+            for (const int taps : {4, 16}) {
+                for (std::size_t tone = 0; tone < k_tone_curves.size(); ++tone) {
+                    for (std::size_t smoothing = 0; smoothing < k_anti_aliasing_methods.size(); ++smoothing) {
+                        input.frame.emissive = emissive;
+                        input.settings.shadows = {.method = method, .size_texels = 256, .taps = taps};
+                        input.settings.tone.curve = static_cast<ToneCurve>(tone);
+                        input.settings.anti_aliasing.method = static_cast<AntiAliasing>(smoothing);
+                        renderer.draw(input);
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_EQ(*texts, compiled) << "some choice of settings compiles a program in the middle of a walk";
+    std::vector<FrameOutput> outputs;
+    renderer.take_finished(outputs, true);
+    EXPECT_EQ(outputs.size(), 48u) << "frames of the warm-up are nobody's";
+}
+
+}  // namespace
+}  // namespace rambla::render
