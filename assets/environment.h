@@ -17,10 +17,10 @@ struct Environment {
 /// Clear sky at noon in early summer: the light of the street's standard walk and of viewed files that bring none.
 [[nodiscard]] inline Environment noon() {
     return {.direction_to_sun = glm::normalize(glm::vec3{0.42f, 0.80f, 0.36f}),
-            .sun_illuminance = glm::vec3{3.05f, 2.86f, 2.58f},
-            .sky_zenith_radiance = glm::vec3{0.135f, 0.245f, 0.50f},
-            .sky_horizon_radiance = glm::vec3{0.52f, 0.64f, 0.78f},
-            .ground_radiance = glm::vec3{0.17f, 0.155f, 0.135f}};
+            .sun_illuminance = glm::vec3{3.10f, 2.86f, 2.50f},
+            .sky_zenith_radiance = glm::vec3{0.115f, 0.195f, 0.385f},
+            .sky_horizon_radiance = glm::vec3{0.40f, 0.47f, 0.55f},
+            .ground_radiance = glm::vec3{0.20f, 0.18f, 0.152f}};
 }
 
 }  // namespace rambla::assets

@@ -10,8 +10,8 @@ namespace rambla::game {
 namespace {
 
 constexpr float k_three_quarter_yaw_rad = 0.62f;  // a little less than 45°: both sides show, one of them more
-constexpr float k_three_quarter_pitch_rad = 0.38f;  // high enough to see tops, low enough to see sides
-constexpr float k_margin = 1.05f;                   // leaves the sphere a rim
+constexpr float k_three_quarter_pitch_rad = 0.32f;  // high enough to see tops, low enough to see sides
+constexpr float k_margin = 1.08f;                   // leaves the model a rim of air
 
 /// Near planes stand this share of the distance away: close enough for zooming in, far enough for 32-bit
 /// depth.
@@ -60,14 +60,25 @@ assets::Bounds scene_bounds(const assets::Scene& scene) {
 }
 
 Orbit frame_bounds(const assets::Bounds& box, float vertical_fov_rad, float aspect) {
-    const float box_radius_m = box.empty() ? 0.0f : glm::length(box.half_extents());
-    const float radius_m = box_radius_m > 0.0f ? box_radius_m : 1.0f;
-    const float half_vertical = 0.5f * vertical_fov_rad;
-    const float half_horizontal = std::atan(std::tan(half_vertical) * aspect);
-    return {.target_m = box.empty() ? glm::vec3{0.0f} : box.centre(),
-            .distance_m = k_margin * radius_m / std::sin(std::min(half_vertical, half_horizontal)),
-            .yaw_rad = k_three_quarter_yaw_rad,
-            .pitch_rad = k_three_quarter_pitch_rad};
+    Orbit orbit{.target_m = box.empty() ? glm::vec3{0.0f} : box.centre(),
+                .distance_m = 0.0f,
+                .yaw_rad = k_three_quarter_yaw_rad,
+                .pitch_rad = k_three_quarter_pitch_rad};
+    const glm::vec3 own_half_m = box.empty() ? glm::vec3{0.0f} : box.half_extents();
+    const glm::vec3 half_m = own_half_m == glm::vec3{0.0f} ? glm::vec3{1.0f} : own_half_m;
+    const glm::quat view_from_world =
+        glm::conjugate(look_rotation(direction_from_target(orbit), glm::vec3{0.0f}));
+    const float tan_vertical = std::tan(0.5f * vertical_fov_rad);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 sign{(corner & 1) != 0 ? 1.0f : -1.0f, (corner & 2) != 0 ? 1.0f : -1.0f,
+                             (corner & 4) != 0 ? 1.0f : -1.0f};
+        // Seen from distance d, a point (x, y, z) is inside the rim where |y| ≤ tan · (d − z), and likewise
+        // x.
+        const glm::vec3 seen = view_from_world * (half_m * sign);
+        const float slope = std::max(std::abs(seen.y), std::abs(seen.x) / aspect) / tan_vertical;
+        orbit.distance_m = std::max(orbit.distance_m, k_margin * slope + seen.z);
+    }
+    return orbit;
 }
 
 systems::Eye eye_of(const Orbit& orbit, const systems::WorldPosition& origin, const systems::Eye& like) {

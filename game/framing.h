@@ -31,8 +31,8 @@ struct Orbit {
     float pitch_rad = 0.0f;  ///< growing lifts the camera
 };
 
-/// Three-quarter view in which a sphere around `box` just fits into the picture, whatever its scale.
-/// @param box     may be a point or empty: then a sphere of one metre is framed
+/// Three-quarter view in which `box` just fits into the picture, whatever its scale.
+/// @param box     may be a point or empty: then a box of two metres is framed
 /// @param aspect  width / height of the picture
 [[nodiscard]] Orbit frame_bounds(const assets::Bounds& box, float vertical_fov_rad, float aspect);
 

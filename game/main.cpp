@@ -4,9 +4,11 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "assets/error.h"
@@ -60,6 +62,13 @@ int main(int argc, char** argv) {
     const std::vector<game::Command> commands{game::add_walk(program), game::add_play(program),
                                               game::add_view(program), game::add_generate(program),
                                               game::add_doctor(program)};
+    const auto is_named = [&](const game::Command& command) {
+        return command.line->get_name() == argv[1];
+    };
+    if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_named)) {
+        return fail(game::k_bad_input, std::runtime_error{std::string{"there is no command '"} + argv[1] +
+                                                          "' (rambla --help lists them)"});
+    }
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

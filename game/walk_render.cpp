@@ -21,8 +21,8 @@
 #include "game/picture_writer.h"
 #include "game/process_memory.h"
 #include "game/progress.h"
-#include "game/statistics.h"
 #include "game/step_clock.h"
+#include "game/walk_report.h"
 #include "game/window.h"
 #include "render/render_thread.h"
 
@@ -35,6 +35,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t k_sheet_pictures = 25;  // a 5 × 5 grid shows a walk at one glance
 constexpr std::uint32_t k_profile_warm_up = 1;  // the first frame with timers makes the queries
 constexpr std::uint64_t k_stats_every_frames = 10;
+/// Until both frames in flight are taken, begin() does not wait; the wait after that is for compiled shaders.
+constexpr std::uint32_t k_filling_frames = 2;
 
 /// Number `index` of `count` values spread evenly over 0 … last, both ends included.
 std::uint32_t spread(std::uint32_t index, std::uint32_t count, std::uint32_t last) {
@@ -66,9 +68,14 @@ public:
                                         .shaders = {},
                                         .gl_errors_throw = false});
         thread_->upload(stage.scene);
-        drawn_.reserve(walk.frames);
-        held_.reserve(walk.frames);
-        profiled_.reserve(walk.profile_frames + k_profile_warm_up);
+        measures_.scene = options.scene;
+        measures_.seed = options.seed;
+        measures_.size_px = options.size_px;
+        measures_.walk_s = static_cast<double>(duration_s(stage.walk));
+        measures_.entities = stage.world->entity_count();
+        measures_.drawn.reserve(walk.frames);
+        measures_.held.reserve(walk.frames);
+        measures_.profiled.reserve(walk.profile_frames + k_profile_warm_up);
     }
 
     void draw_walk() {
@@ -78,23 +85,26 @@ public:
         for (std::uint32_t i = 0; i < walk_.frames && !interrupted(); ++i) {
             const float time_s = time_of(i);
             const StepsAt moment = steps_at(time_s);
-            for (; steps_ < moment.steps; ++steps_)
+            for (; measures_.steps < moment.steps; ++measures_.steps)
                 systems::step(*stage_.world);
             render::FrameInput& input = thread_->begin();
             const Clock::time_point now = Clock::now();
-            if (i > 0) frame_ms_.push_back(std::chrono::duration<double, std::milli>(now - before).count());
+            if (i > k_filling_frames) {
+                measures_.frame_ms.push_back(std::chrono::duration<double, std::milli>(now - before).count());
+            }
             before = now;
             fill(input, i, moment.interpolation);
             input.frame.capture = {.display = true, .linear = walk_.format == "exr"};
             input.draw_graph = i == 0 && !walk_.graph.empty();
-            counts_ = input.frame.counts;
+            measures_.counts = input.frame.counts;
+            note_system_times();
             thread_->submit();
             take_outputs();
-            progress.update(static_cast<std::uint32_t>(drawn_.size()));
+            progress.update(static_cast<std::uint32_t>(measures_.drawn.size()));
         }
         thread_->finish();
         take_outputs();
-        seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
+        measures_.run_s = std::chrono::duration<double>(Clock::now() - start).count();
         writer_.finish();
         assets::write_image(walk_.folder / "contact.png", sheet_.image());
     }
@@ -113,28 +123,32 @@ public:
             input.profile = true;
             thread_->submit();
             for (render::FrameOutput& output : thread_->collect())
-                profiled_.push_back(std::move(output.feedback));
+                measures_.profiled.push_back(std::move(output.feedback));
             progress.update(i + 1);
         }
         thread_->finish();
         for (render::FrameOutput& output : thread_->collect())
-            profiled_.push_back(std::move(output.feedback));
-        const auto warm = std::min<std::size_t>(k_profile_warm_up, profiled_.size());
-        profiled_.erase(profiled_.begin(), profiled_.begin() + static_cast<std::ptrdiff_t>(warm));
+            measures_.profiled.push_back(std::move(output.feedback));
+        const auto warm = std::min<std::size_t>(k_profile_warm_up, measures_.profiled.size());
+        measures_.profiled.erase(measures_.profiled.begin(),
+                                 measures_.profiled.begin() + static_cast<std::ptrdiff_t>(warm));
     }
 
     [[nodiscard]] WalkResult result() const {
-        WalkResult result{
-            .steps = steps_, .steadiness = steadiness(held_), .text = summary(), .json = summary_json()};
+        WalkResult result{.steps = measures_.steps,
+                          .steadiness = steadiness(measures_.held),
+                          .text = summary_text(measures_),
+                          .json = summary_json(measures_)};
+        result.json["out"] = walk_.folder.string();
         if (walk_.profile_frames > 0) {
-            const PassTable table = make_pass_table(profiled_);
+            const PassTable table = make_pass_table(measures_.profiled);
             const std::string text = to_text(table);
             result.text += "\n" + text;
             result.json["pass_table"] = to_json(table);
-            assets::write_text(walk_.folder / "passes.txt", summary() + "\n" + text);
+            assets::write_text(walk_.folder / "passes.txt", summary_text(measures_) + "\n" + text);
         }
         if (walk_.stats) {
-            result.text += "\n" + to_text(held_, k_stats_every_frames);
+            result.text += "\n" + to_text(measures_.held, k_stats_every_frames);
             result.json["steady"] =
                 result.steadiness.known ? nlohmann::json(result.steadiness.steady) : nlohmann::json();
             result.json["resident_growth_bytes"] = result.steadiness.resident_growth_bytes;
@@ -168,13 +182,13 @@ private:
 
     void take_outputs() {
         for (render::FrameOutput& output : thread_->collect()) {
-            const auto frame = static_cast<std::uint32_t>(drawn_.size());
+            const auto frame = static_cast<std::uint32_t>(measures_.drawn.size());
             if (!output.graph_svg.empty()) assets::write_text(walk_.graph, output.graph_svg);
-            held_.push_back({.frame = frame,
-                             .resident_bytes = resident_bytes(),
-                             .gpu_bytes = output.feedback.gpu_memory_bytes,
-                             .gl_objects = output.feedback.gl_objects});
-            drawn_.push_back(std::move(output.feedback));
+            measures_.held.push_back({.frame = frame,
+                                      .resident_bytes = resident_bytes(),
+                                      .gpu_bytes = output.feedback.gpu_memory_bytes,
+                                      .gl_objects = output.feedback.gl_objects});
+            measures_.drawn.push_back(std::move(output.feedback));
             write(frame, std::move(output.display), std::move(output.linear));
         }
     }
@@ -192,55 +206,14 @@ private:
         writer_.run([file = fs::path{file}.concat(".png"), picture] { assets::write_image(file, *picture); });
     }
 
-    [[nodiscard]] double median_of(std::uint64_t (*value)(const systems::Feedback&)) const {
-        std::vector<double> values;
-        for (const systems::Feedback& feedback : drawn_)
-            values.push_back(static_cast<double>(value(feedback)));
-        return median(values);
+    void note_system_times() {
+        const auto timings = stage_.world->resource<systems::StepTimings>().all();
+        measures_.systems.resize(timings.size());
+        for (std::size_t i = 0; i < timings.size(); ++i) {
+            measures_.systems[i].name = timings[i].name;
+            measures_.systems[i].ms.push_back(timings[i].ms);
+        }
     }
-    [[nodiscard]] double draws() const {
-        return median_of([](const systems::Feedback& f) -> std::uint64_t { return f.draws; });
-    }
-    [[nodiscard]] double triangles() const {
-        return median_of([](const systems::Feedback& f) { return f.triangles; });
-    }
-    [[nodiscard]] double frames_per_second() const {
-        return seconds_ > 0.0 ? static_cast<double>(drawn_.size()) / seconds_ : 0.0;
-    }
-
-    [[nodiscard]] std::string summary() const {
-        return fmt::format(
-            "{} seed {}, {} frames of {}x{} over {:.1f} s of walk ({} steps)\n"
-            "drawn and encoded in {:.1f} s, {:.2f} frames per second; a frame takes {:.1f} ms (median), "
-            "{:.1f} ms (p99)\n"
-            "{} entities, {} renderables, {} casters and {} lights; {:.0f} draws and {:.0f} triangles per "
-            "frame\n"
-            "memory {} resident, {} on the GPU, {} GL objects\n",
-            options_.scene, options_.seed, drawn_.size(), options_.size_px.x, options_.size_px.y,
-            duration_s(stage_.walk), steps_, seconds_, frames_per_second(), median(frame_ms_),
-            percentile(frame_ms_, 0.99), stage_.world->entity_count(), counts_.renderables, counts_.casters,
-            counts_.lights, draws(), triangles(), bytes_text(static_cast<double>(last_held().resident_bytes)),
-            bytes_text(static_cast<double>(last_held().gpu_bytes)), last_held().gl_objects);
-    }
-
-    [[nodiscard]] nlohmann::json summary_json() const {
-        return {{"frames", drawn_.size()},
-                {"width_px", options_.size_px.x},
-                {"height_px", options_.size_px.y},
-                {"out", walk_.folder.string()},
-                {"run_s", seconds_},
-                {"frames_per_second", frames_per_second()},
-                {"frame_ms_median", median(frame_ms_)},
-                {"frame_ms_p99", percentile(frame_ms_, 0.99)},
-                {"renderables", counts_.renderables},
-                {"lights", counts_.lights},
-                {"draws_median", draws()},
-                {"triangles_median", triangles()},
-                {"gpu_memory_bytes", last_held().gpu_bytes},
-                {"gl_objects", last_held().gl_objects}};
-    }
-
-    [[nodiscard]] HeldSample last_held() const { return held_.empty() ? HeldSample{} : held_.back(); }
 
     Stage& stage_;
     const Options& options_;
@@ -250,13 +223,7 @@ private:
     std::optional<render::RenderThread> thread_;  // ends before the window whose context it holds
     PictureWriter writer_;                        // ends before the sheet that it fills
 
-    std::uint64_t steps_ = 0;
-    double seconds_ = 0.0;
-    systems::FrameCounts counts_;
-    std::vector<double> frame_ms_;
-    std::vector<HeldSample> held_;
-    std::vector<systems::Feedback> drawn_;
-    std::vector<systems::Feedback> profiled_;
+    WalkMeasures measures_;
 };
 
 }  // namespace

@@ -250,7 +250,8 @@ bool Renderer::State::take_oldest(std::vector<FrameOutput>& outputs, bool wait) 
         feedback.passes.push_back({.name = pass.name,
                                    .gpu_ms = pass.gpu_ms,
                                    .cpu_ms = pass.cpu_ms,
-                                   .bytes_written = pass.bytes_written});
+                                   .bytes_written = pass.bytes_written,
+                                   .memory_bytes = pass.memory_bytes});
     }
     if (frame.display.pending()) frame.output.display = frame.display.take();
     if (frame.linear.pending()) frame.output.linear = frame.linear.take();

@@ -34,7 +34,7 @@ inline constexpr std::array k_shadow_parameters{
 enum class ToneCurve : std::uint8_t { reinhard, filmic, aces };
 
 struct ToneParameters {
-    ToneCurve curve = ToneCurve::filmic;
+    ToneCurve curve = ToneCurve::aces;
     float exposure_ev = 0.0f;
 };
 inline constexpr std::array<std::string_view, 3> k_tone_curves{"reinhard", "filmic", "aces"};

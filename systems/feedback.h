@@ -12,6 +12,7 @@ struct PassTiming {
     double gpu_ms = 0.0;
     double cpu_ms = 0.0;
     std::uint64_t bytes_written = 0;  ///< attachments' bytes that the pass may write
+    std::uint64_t memory_bytes = 0;   ///< transient textures and buffers alive while it runs
 };
 
 /// What the renderer tells a later frame: plain data, never read by the simulation.

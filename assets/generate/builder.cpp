@@ -46,14 +46,18 @@ void Builder::emit(Mesh& into, const Vertex& vertex) {
 }
 
 void Builder::emit_quad(Surface surface, const std::array<glm::vec3, 4>& corners,
-                        const std::array<glm::vec3, 4>& normals, glm::vec3 u_axis, const std::array<glm::vec2, 4>& uv) {
+                        const std::array<glm::vec3, 4>& normals, glm::vec3 u_axis,
+                        const std::array<glm::vec2, 4>& uv) {
     Mesh& into = mesh(surface);
     const auto first = static_cast<std::uint32_t>(into.positions.size());
-    for (std::size_t i = 0; i < 4; ++i) emit(into, {corners[i], normals[i], u_axis, uv[i]});
+    for (std::size_t i = 0; i < 4; ++i)
+        emit(into, {corners[i], normals[i], u_axis, uv[i]});
     // Quadrilaterals may have two corners in one place: then one of the triangles is nothing.
     for (const std::uint32_t i : {1u, 2u}) {
-        if (corners[0] == corners[i] || corners[i] == corners[i + 1] || corners[i + 1] == corners[0]) continue;
-        for (const std::uint32_t corner : {0u, i, i + 1}) into.indices.push_back(first + corner);
+        if (corners[0] == corners[i] || corners[i] == corners[i + 1] || corners[i + 1] == corners[0])
+            continue;
+        for (const std::uint32_t corner : {0u, i, i + 1})
+            into.indices.push_back(first + corner);
     }
 }
 
@@ -65,15 +69,19 @@ void Builder::face(Surface surface, glm::vec3 p0, glm::vec3 p1, glm::vec3 p2, gl
     const glm::vec3 u = perpendicular(p1 - p0, normal);
     const glm::vec3 v = glm::cross(normal, u);
     const float scale = 1.0f / (stretch * metres_per_repeat(surface));
-    const auto uv = [&](glm::vec3 p) { return glm::vec2{glm::dot(p, u), -glm::dot(p, v)} * scale; };
-    emit_quad(surface, {p0, p1, p2, p3}, {normal, normal, normal, normal}, u, {uv(p0), uv(p1), uv(p2), uv(p3)});
+    const auto uv = [&](glm::vec3 p) {
+        return glm::vec2{glm::dot(p, u), -glm::dot(p, v)} * scale;
+    };
+    emit_quad(surface, {p0, p1, p2, p3}, {normal, normal, normal, normal}, u,
+              {uv(p0), uv(p1), uv(p2), uv(p3)});
 }
 
 void Builder::picture(Surface surface, glm::vec3 p0, glm::vec3 p1, glm::vec3 p2, glm::vec3 p3, glm::vec2 low,
                       glm::vec2 high) {
     const glm::vec3 normal = glm::normalize(glm::cross(p2 - p0, p3 - p1));
     const std::array<glm::vec2, 4> uv{low, glm::vec2{high.x, low.y}, high, glm::vec2{low.x, high.y}};
-    emit_quad(surface, {p0, p1, p2, p3}, {normal, normal, normal, normal}, high.x < low.x ? p0 - p1 : p1 - p0, uv);
+    emit_quad(surface, {p0, p1, p2, p3}, {normal, normal, normal, normal}, high.x < low.x ? p0 - p1 : p1 - p0,
+              uv);
 }
 
 void Builder::panel(Surface surface, glm::vec2 min, glm::vec2 max, float z) {
@@ -81,12 +89,17 @@ void Builder::panel(Surface surface, glm::vec2 min, glm::vec2 max, float z) {
 }
 
 void Builder::box(Surface surface, glm::vec3 a, glm::vec3 b, std::uint32_t sides) {
-    if (sides & k_side_front) face(surface, {a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z});
-    if (sides & k_side_back) face(surface, {b.x, a.y, a.z}, {a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z});
-    if (sides & k_side_left) face(surface, {a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}, {a.x, b.y, a.z});
-    if (sides & k_side_right) face(surface, {b.x, a.y, b.z}, {b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z});
+    if (sides & k_side_front)
+        face(surface, {a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z});
+    if (sides & k_side_back)
+        face(surface, {b.x, a.y, a.z}, {a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z});
+    if (sides & k_side_left)
+        face(surface, {a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}, {a.x, b.y, a.z});
+    if (sides & k_side_right)
+        face(surface, {b.x, a.y, b.z}, {b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z});
     if (sides & k_side_top) face(surface, {a.x, b.y, b.z}, {b.x, b.y, b.z}, {b.x, b.y, a.z}, {a.x, b.y, a.z});
-    if (sides & k_side_bottom) face(surface, {a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, a.y, b.z}, {a.x, a.y, b.z});
+    if (sides & k_side_bottom)
+        face(surface, {a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, a.y, b.z}, {a.x, a.y, b.z});
 }
 
 void Builder::polygon(Surface surface, std::span<const glm::vec3> corners) {
@@ -95,20 +108,27 @@ void Builder::polygon(Surface surface, std::span<const glm::vec3> corners) {
         normal += glm::cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
     normal = glm::normalize(normal);
     const bool sideways = std::abs(normal.x) > 0.9f;
-    const glm::vec3 u = perpendicular(sideways ? glm::vec3{0.0f, 0.0f, 1.0f} : glm::vec3{1.0f, 0.0f, 0.0f}, normal);
+    const glm::vec3 u =
+        perpendicular(sideways ? glm::vec3{0.0f, 0.0f, 1.0f} : glm::vec3{1.0f, 0.0f, 0.0f}, normal);
     const glm::vec3 v = glm::cross(normal, u);
     Mesh& into = mesh(surface);
     const auto first = static_cast<std::uint32_t>(into.positions.size());
     const float scale = 1.0f / (stretch * metres_per_repeat(surface));
-    for (const glm::vec3& p : corners) emit(into, {p, normal, u, glm::vec2{glm::dot(p, u), -glm::dot(p, v)} * scale});
+    for (const glm::vec3& p : corners)
+        emit(into, {p, normal, u, glm::vec2{glm::dot(p, u), -glm::dot(p, v)} * scale});
     for (std::uint32_t i = 2; i < corners.size(); ++i)
-        for (const std::uint32_t corner : {0u, i - 1, i}) into.indices.push_back(first + corner);
+        for (const std::uint32_t corner : {0u, i - 1, i})
+            into.indices.push_back(first + corner);
 }
 
 void Builder::moulding(Surface surface, std::span<const glm::vec2> profile, float x0, float x1, float mitre0,
                        float mitre1, bool caps) {
-    const auto left = [&](glm::vec2 p) { return glm::vec3{x0 - mitre0 * p.x, p.y, p.x}; };
-    const auto right = [&](glm::vec2 p) { return glm::vec3{x1 + mitre1 * p.x, p.y, p.x}; };
+    const auto left = [&](glm::vec2 p) {
+        return glm::vec3{x0 - mitre0 * p.x, p.y, p.x};
+    };
+    const auto right = [&](glm::vec2 p) {
+        return glm::vec3{x1 + mitre1 * p.x, p.y, p.x};
+    };
     for (std::size_t i = 1; i < profile.size(); ++i) {
         const glm::vec2 a = profile[i - 1];
         const glm::vec2 b = profile[i];
@@ -121,7 +141,8 @@ void Builder::moulding(Surface surface, std::span<const glm::vec2> profile, floa
     }
 }
 
-void Builder::tube(Surface surface, std::span<const Ring> rings, int sides, bool close_first, bool close_last) {
+void Builder::tube(Surface surface, std::span<const Ring> rings, int sides, bool close_first,
+                   bool close_last) {
     Mesh& into = mesh(surface);
     const auto first = static_cast<std::uint32_t>(into.positions.size());
     const float scale = 1.0f / (stretch * metres_per_repeat(surface));
@@ -139,14 +160,17 @@ void Builder::tube(Surface surface, std::span<const Ring> rings, int sides, bool
             const float angle = i == sides ? 0.0f : k_two_pi * share;
             const float c = std::cos(angle);
             const float s = std::sin(angle);
-            const auto at = [&](const Ring& q) { return q.centre_m + q.axis_a * c + q.axis_b * s; };
+            const auto at = [&](const Ring& q) {
+                return q.centre_m + q.axis_a * c + q.axis_b * s;
+            };
             const glm::vec3 around = ring.axis_b * c - ring.axis_a * s;
             glm::vec3 normal = glm::cross(at(above) - at(below), around);
             // Counter-clockwise from above in the axes' own plane: the outside is where the radius points.
             const glm::vec3 radius = ring.axis_a * c + ring.axis_b * s;
             if (glm::dot(normal, normal) < 1e-14f) normal = radius;
             if (glm::dot(normal, radius) < 0.0f) normal = -normal;
-            const bool mirrored = glm::dot(glm::cross(around, above.centre_m - below.centre_m), radius) < 0.0f;
+            const bool mirrored =
+                glm::dot(glm::cross(around, above.centre_m - below.centre_m), radius) < 0.0f;
             const float u = (mirrored ? 1.0f - share : share) * repeats;
             emit(into, {at(ring), glm::normalize(normal), mirrored ? -around : around, {u, -along * scale}});
         }
@@ -161,9 +185,11 @@ void Builder::tube(Surface surface, std::span<const Ring> rings, int sides, bool
             const std::uint32_t c = b + row;
             const std::uint32_t d = a + row;
             if (inverted)
-                for (const std::uint32_t index : {b, a, d, b, d, c}) into.indices.push_back(index);
+                for (const std::uint32_t index : {b, a, d, b, d, c})
+                    into.indices.push_back(index);
             else
-                for (const std::uint32_t index : {a, b, c, a, c, d}) into.indices.push_back(index);
+                for (const std::uint32_t index : {a, b, c, a, c, d})
+                    into.indices.push_back(index);
         }
     }
     const auto close = [&](const Ring& ring, bool outwards) {
@@ -179,8 +205,8 @@ void Builder::tube(Surface surface, std::span<const Ring> rings, int sides, bool
     if (close_last) close(rings.back(), true);
 }
 
-void Builder::card(Surface surface, const std::array<glm::vec3, 4>& corners, const std::array<glm::vec3, 4>& normals,
-                   glm::vec2 low, glm::vec2 high) {
+void Builder::card(Surface surface, const std::array<glm::vec3, 4>& corners,
+                   const std::array<glm::vec3, 4>& normals, glm::vec2 low, glm::vec2 high) {
     emit_quad(surface, corners, normals, corners[1] - corners[0],
               {low, glm::vec2{high.x, low.y}, high, glm::vec2{low.x, high.y}});
 }
@@ -193,7 +219,9 @@ std::vector<Builder::Part> Builder::take(const std::string& name) {
     });
     for (Part& part : parts) {
         part.mesh.name = name;
-        const auto white = [](glm::vec4 c) { return c == glm::vec4{1.0f}; };
+        const auto white = [](glm::vec4 c) {
+            return c == glm::vec4{1.0f};
+        };
         if (std::all_of(part.mesh.colours.begin(), part.mesh.colours.end(), white)) part.mesh.colours.clear();
     }
     return parts;

@@ -26,7 +26,8 @@ struct Frame {
     }
 };
 
-/// The frame at `origin` whose x axis is turned by `angle_rad` from x towards −z (counter-clockwise seen from above).
+/// The frame at `origin` whose x axis is turned by `angle_rad` from x towards −z (counter-clockwise seen from
+/// above).
 [[nodiscard]] Frame turned(glm::vec3 origin_m, float angle_rad);
 
 /// Sides of a box.
@@ -47,28 +48,32 @@ struct Ring {
     glm::vec3 axis_b{0.0f, 0.0f, 1.0f};
 };
 
-/// Collects textured faces, one mesh per surface and group. Texture coordinates are metric (see metres_per_repeat)
-/// unless given. Tangents point along increasing u, with w = +1: the bitangent points up the image (decreasing v).
+/// Collects textured faces, one mesh per surface and group. Texture coordinates are metric (see
+/// metres_per_repeat) unless given. Tangents point along increasing u, with w = +1: the bitangent points up
+/// the image (decreasing v).
 class Builder {
 public:
-    Frame frame;               ///< all points below are given in this frame
-    glm::vec4 colour{1.0f};    ///< of the vertices made from now on
-    std::uint32_t group = 0;   ///< of the faces made from now on: panes of different groups never share a mesh
-    float stretch = 1.0f;      ///< of metric texture coordinates: repeats are this much larger
+    Frame frame;              ///< all points below are given in this frame
+    glm::vec4 colour{1.0f};   ///< of the vertices made from now on
+    std::uint32_t group = 0;  ///< of the faces made from now on: panes of different groups never share a mesh
+    float stretch = 1.0f;     ///< of metric texture coordinates: repeats are this much larger
 
     /// A planar quadrilateral, corners counter-clockwise from its front; u runs along p0→p1.
     void face(Surface surface, glm::vec3 p0, glm::vec3 p1, glm::vec3 p2, glm::vec3 p3);
     /// The same with texture coordinates of its own: `low` at p0 (bottom left), `high` at p2 (top right).
-    void picture(Surface surface, glm::vec3 p0, glm::vec3 p1, glm::vec3 p2, glm::vec3 p3, glm::vec2 low, glm::vec2 high);
+    void picture(Surface surface, glm::vec3 p0, glm::vec3 p1, glm::vec3 p2, glm::vec3 p3, glm::vec2 low,
+                 glm::vec2 high);
     /// A rectangle in the plane z.
     void panel(Surface surface, glm::vec2 min, glm::vec2 max, float z);
     void box(Surface surface, glm::vec3 min, glm::vec3 max, std::uint32_t sides = k_all_sides);
-    /// A planar convex polygon, counter-clockwise from its front; u runs along x, or along z where the plane is x's.
+    /// A planar convex polygon, counter-clockwise from its front; u runs along x, or along z where the plane
+    /// is x's.
     void polygon(Surface surface, std::span<const glm::vec3> corners);
-    /// A profile (z, y), rising from below, drawn along x. Ends are sheared by mitre · z outwards, so that neighbours
-    /// at a corner of exterior angle φ meet for mitre = tan(φ/2); an end with mitre 0 is capped when `caps`.
-    void moulding(Surface surface, std::span<const glm::vec2> profile, float x0, float x1, float mitre0, float mitre1,
-                  bool caps = true);
+    /// A profile (z, y), rising from below, drawn along x. Ends are sheared by mitre · z outwards, so that
+    /// neighbours at a corner of exterior angle φ meet for mitre = tan(φ/2); an end with mitre 0 is capped
+    /// when `caps`.
+    void moulding(Surface surface, std::span<const glm::vec2> profile, float x0, float x1, float mitre0,
+                  float mitre1, bool caps = true);
     /// A tube through rings with smooth normals; ends are closed by flat fans when asked for.
     void tube(Surface surface, std::span<const Ring> rings, int sides, bool close_first, bool close_last);
     /// A sheet of rows × columns points with normals smooth below `crease_rad` between neighbouring cells.
@@ -76,8 +81,8 @@ public:
     void sheet(std::span<const glm::vec3> points, std::size_t columns, std::span<const Surface> surfaces,
                float crease_rad);
     /// A single vertex quad whose shading normals are given, for leaves.
-    void card(Surface surface, const std::array<glm::vec3, 4>& corners, const std::array<glm::vec3, 4>& normals,
-              glm::vec2 low, glm::vec2 high);
+    void card(Surface surface, const std::array<glm::vec3, 4>& corners,
+              const std::array<glm::vec3, 4>& normals, glm::vec2 low, glm::vec2 high);
 
     /// A finished mesh with what it is made of.
     struct Part {
@@ -95,8 +100,9 @@ private:
     };
     Mesh& mesh(Surface surface);
     void emit(Mesh& into, const Vertex& vertex);
-    void emit_quad(Surface surface, const std::array<glm::vec3, 4>& corners, const std::array<glm::vec3, 4>& normals,
-                   glm::vec3 u_axis, const std::array<glm::vec2, 4>& uv);
+    void emit_quad(Surface surface, const std::array<glm::vec3, 4>& corners,
+                   const std::array<glm::vec3, 4>& normals, glm::vec3 u_axis,
+                   const std::array<glm::vec2, 4>& uv);
 
     std::vector<Part> parts_;
 };

@@ -16,9 +16,10 @@ const float k_half_root = std::sqrt(0.5f);
 void build_chimney(Builder& b, glm::vec3 foot, float height) {
     b.box(Surface::plain, foot + glm::vec3{-0.3f, -0.1f, -0.3f}, foot + glm::vec3{0.3f, height, 0.3f},
           k_all_sides & ~k_side_bottom);
-    b.box(Surface::trim, foot + glm::vec3{-0.38f, height, -0.38f}, foot + glm::vec3{0.38f, height + 0.12f, 0.38f});
-    b.box(Surface::plain, foot + glm::vec3{-0.18f, height + 0.12f, -0.18f}, foot + glm::vec3{0.18f, height + 0.4f, 0.18f},
-          k_all_sides & ~k_side_bottom);
+    b.box(Surface::trim, foot + glm::vec3{-0.38f, height, -0.38f},
+          foot + glm::vec3{0.38f, height + 0.12f, 0.38f});
+    b.box(Surface::plain, foot + glm::vec3{-0.18f, height + 0.12f, -0.18f},
+          foot + glm::vec3{0.18f, height + 0.4f, 0.18f}, k_all_sides & ~k_side_bottom);
 }
 
 /// Stair head, chimneys and an aerial on a flat roof.
@@ -27,7 +28,8 @@ void build_roof_things(Builder& b, glm::vec2 min, glm::vec2 max, float roof, Dra
     const float x = draws.between(min.x, max.x - 2.6f);
     const float z = draws.between(min.y, max.y - 2.8f);
     const float head = draws.between(2.2f, 2.8f);
-    b.box(Surface::wall, {x, roof - 0.1f, z}, {x + 2.4f, roof + head, z + 2.6f}, k_all_sides & ~k_side_bottom);
+    b.box(Surface::wall, {x, roof - 0.1f, z}, {x + 2.4f, roof + head, z + 2.6f},
+          k_all_sides & ~k_side_bottom);
     b.box(Surface::roof, {x - 0.15f, roof + head, z - 0.15f}, {x + 2.55f, roof + head + 0.14f, z + 2.75f});
     b.panel(Surface::door, {x + 0.7f, roof}, {x + 1.6f, roof + 2.0f}, z + 2.63f);
     const std::uint32_t chimneys = 1 + draws.below(3);
@@ -37,7 +39,8 @@ void build_roof_things(Builder& b, glm::vec2 min, glm::vec2 max, float roof, Dra
     const glm::vec3 aerial{draws.between(min.x + 0.5f, max.x - 0.5f), roof, draws.between(min.y, max.y)};
     b.box(Surface::iron, aerial + glm::vec3{-0.02f, 0.0f, -0.02f}, aerial + glm::vec3{0.02f, 2.6f, 0.02f});
     for (const float y : {2.0f, 2.25f, 2.5f})
-        b.box(Surface::iron, aerial + glm::vec3{-0.5f, y, -0.012f}, aerial + glm::vec3{0.5f, y + 0.024f, 0.012f});
+        b.box(Surface::iron, aerial + glm::vec3{-0.5f, y, -0.012f},
+              aerial + glm::vec3{0.5f, y + 0.024f, 0.012f});
 }
 
 /// A plain wall from p to q (as seen from outside, left to right), foot to `top`.
@@ -53,10 +56,12 @@ std::vector<FacadeLight> build_row_house(Builder& b, float width, const FacadeSt
     std::vector<FacadeLight> lights;
     {
         const InFrame scope{b, turned({-half, 0.0f, 0.0f}, 0.0f)};
-        const int bays = width < 9.5f ? 3 : (width < 13.0f ? (draws.chance(0.5f) ? 3 : 4) : (draws.chance(0.6f) ? 4 : 5));
+        const int bays =
+            width < 9.5f ? 3 : (width < 13.0f ? (draws.chance(0.5f) ? 3 : 4) : (draws.chance(0.6f) ? 4 : 5));
         lights = build_facade(b, {.width_m = width, .bays = bays}, style, draws);
     }
-    for (FacadeLight& light : lights) light.position_m.x -= half;
+    for (FacadeLight& light : lights)
+        light.position_m.x -= half;
 
     const float back = -k_house_depth_m;
     build_plain_wall(b, {half, back}, {-half, back}, roof + 0.3f);
@@ -69,7 +74,8 @@ std::vector<FacadeLight> build_row_house(Builder& b, float width, const FacadeSt
         const float top = roof + style.parapet_height_m;
         b.face(Surface::plain, {x, roof, near}, {x, roof, far}, {x, top, far}, {x, top, near});
     }
-    b.box(Surface::plain, {-half, roof - 0.05f, back}, {half, roof + 0.3f, back + 0.2f}, k_all_sides & ~k_side_back);
+    b.box(Surface::plain, {-half, roof - 0.05f, back}, {half, roof + 0.3f, back + 0.2f},
+          k_all_sides & ~k_side_back);
     b.face(Surface::roof, {-half, roof, 0.0f}, {half, roof, 0.0f}, {half, roof, back}, {-half, roof, back});
     build_roof_things(b, {-half + 0.4f, back + 1.0f}, {half - 0.4f, -2.5f}, roof, draws);
     return lights;
@@ -84,13 +90,16 @@ std::vector<FacadeLight> build_corner_house(Builder& b, const FacadeStyle& style
     //      \         │
     //      (c,0)──(s,0)
     constexpr float k_size = k_chamfer_m + k_corner_side_m;
-    const glm::vec2 along_u{k_half_root, -k_half_root};   // (x, z)
+    const glm::vec2 along_u{k_half_root, -k_half_root};  // (x, z)
     const glm::vec2 along_v{-k_half_root, -k_half_root};
     const auto at = [&](float u, float v) {
         return (u - 0.5f * k_chamfer_m) * along_u + (v - 0.5f * k_chamfer_m) * along_v;
     };
     const auto frame_at = [&](glm::vec2 origin, glm::vec2 right) {
-        return Frame{{origin.x, 0.0f, origin.y}, {right.x, 0.0f, right.y}, {0.0f, 1.0f, 0.0f}, {-right.y, 0.0f, right.x}};
+        return Frame{{origin.x, 0.0f, origin.y},
+                     {right.x, 0.0f, right.y},
+                     {0.0f, 1.0f, 0.0f},
+                     {-right.y, 0.0f, right.x}};
     };
     const float chamfer = k_chamfer_m / k_half_root;
     const float roof = style.roof_height_m();
@@ -118,15 +127,18 @@ std::vector<FacadeLight> build_corner_house(Builder& b, const FacadeStyle& style
 
     const std::array<std::pair<glm::vec2, glm::vec2>, 2> walls{
         {{at(k_size, 0.0f), at(k_size, k_size)}, {at(k_size, k_size), at(0.0f, k_size)}}};
-    for (const auto& wall : walls) build_plain_wall(b, wall.first, wall.second, roof + style.parapet_height_m);
+    for (const auto& wall : walls)
+        build_plain_wall(b, wall.first, wall.second, roof + style.parapet_height_m);
     for (const auto& wall : walls)  // their inner sides, above the roof
-        b.face(Surface::plain, {wall.second.x, roof - 0.05f, wall.second.y}, {wall.first.x, roof - 0.05f, wall.first.y},
+        b.face(Surface::plain, {wall.second.x, roof - 0.05f, wall.second.y},
+               {wall.first.x, roof - 0.05f, wall.first.y},
                {wall.first.x, roof + style.parapet_height_m, wall.first.y},
                {wall.second.x, roof + style.parapet_height_m, wall.second.y});
     std::array<glm::vec3, 5> outline;
-    const std::array<glm::vec2, 5> corners{at(k_chamfer_m, 0.0f), at(k_size, 0.0f), at(k_size, k_size), at(0.0f, k_size),
-                                           at(0.0f, k_chamfer_m)};
-    for (std::size_t i = 0; i < outline.size(); ++i) outline[i] = {corners[i].x, roof, corners[i].y};
+    const std::array<glm::vec2, 5> corners{at(k_chamfer_m, 0.0f), at(k_size, 0.0f), at(k_size, k_size),
+                                           at(0.0f, k_size), at(0.0f, k_chamfer_m)};
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        outline[i] = {corners[i].x, roof, corners[i].y};
     b.polygon(Surface::roof, outline);
     build_roof_things(b, {-2.2f, -9.5f}, {2.2f, -4.0f}, roof, draws);
     return lights;

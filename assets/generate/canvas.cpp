@@ -18,7 +18,8 @@ Image image_of(const std::string& name, std::uint32_t width, std::uint32_t heigh
         for (std::uint32_t x = 0; x < width; ++x) {
             const glm::vec4 value = pick(x, y);
             std::byte* texel = &image.texels[(std::size_t{y} * width + x) * 4];
-            for (int i = 0; i < 4; ++i) texel[i] = quantised(value[i]);
+            for (int i = 0; i < 4; ++i)
+                texel[i] = quantised(value[i]);
         }
     }
     return image;

@@ -12,7 +12,8 @@
 
 namespace rambla::assets::generate {
 
-/// What a texture is while it is painted: per texel a colour (in the encoding it will be stored in) and a height.
+/// What a texture is while it is painted: per texel a colour (in the encoding it will be stored in) and a
+/// height.
 struct Texel {
     glm::vec4 colour{1.0f};
     float height_m = 0.0f;
@@ -22,15 +23,18 @@ struct Texel {
 /// A painted texture before it is cut into images.
 class Canvas {
 public:
-    Canvas(std::uint32_t width, std::uint32_t height) : width_{width}, height_{height}, texels_(width * height) {}
+    Canvas(std::uint32_t width, std::uint32_t height)
+        : width_{width}, height_{height}, texels_(width * height) {}
 
-    /// Paints every texel from its centre (u, v) in (0, 1)², v downwards. Rows in parallel; `brush` must be pure.
+    /// Paints every texel from its centre (u, v) in (0, 1)², v downwards. Rows in parallel; `brush` must be
+    /// pure.
     template <class Brush>
     void paint(const Brush& brush) {
         tbb::parallel_for(std::uint32_t{0}, height_, [&](std::uint32_t y) {
             const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(height_);
             for (std::uint32_t x = 0; x < width_; ++x)
-                texels_[y * width_ + x] = brush(glm::vec2{(static_cast<float>(x) + 0.5f) / static_cast<float>(width_), v});
+                texels_[y * width_ + x] =
+                    brush(glm::vec2{(static_cast<float>(x) + 0.5f) / static_cast<float>(width_), v});
         });
     }
 

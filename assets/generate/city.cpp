@@ -23,14 +23,28 @@ constexpr float k_quarter_rad = 1.57079633f;
 constexpr std::uint32_t k_people = 12;
 
 /// Widths of the houses between two corner houses; each row fills block − 2 · (chamfer + corner side) = 36 m.
-constexpr std::array<std::array<float, 4>, 9> k_rows_m{{{12.0f, 12.0f, 12.0f, 0.0f}, {10.0f, 14.0f, 12.0f, 0.0f},
-                                                        {8.0f, 10.0f, 8.0f, 10.0f}, {14.0f, 8.0f, 14.0f, 0.0f},
-                                                        {9.0f, 9.0f, 9.0f, 9.0f}, {10.0f, 8.0f, 10.0f, 8.0f},
-                                                        {12.0f, 10.0f, 14.0f, 0.0f}, {8.0f, 14.0f, 14.0f, 0.0f},
+constexpr std::array<std::array<float, 4>, 9> k_rows_m{{{12.0f, 12.0f, 12.0f, 0.0f},
+                                                        {10.0f, 14.0f, 12.0f, 0.0f},
+                                                        {8.0f, 10.0f, 8.0f, 10.0f},
+                                                        {14.0f, 8.0f, 14.0f, 0.0f},
+                                                        {9.0f, 9.0f, 9.0f, 9.0f},
+                                                        {10.0f, 8.0f, 10.0f, 8.0f},
+                                                        {12.0f, 10.0f, 14.0f, 0.0f},
+                                                        {8.0f, 14.0f, 14.0f, 0.0f},
                                                         {9.0f, 8.0f, 9.0f, 10.0f}}};
 
 /// Parts of the seed, one for each thing that draws from it.
-enum Part : std::uint64_t { k_palette, k_houses, k_blocks, k_edges, k_things, k_people_looks, k_cars, k_parked, k_actors };
+enum Part : std::uint64_t {
+    k_palette,
+    k_houses,
+    k_blocks,
+    k_edges,
+    k_things,
+    k_people_looks,
+    k_cars,
+    k_parked,
+    k_actors
+};
 
 class CityBuilder {
 public:
@@ -47,14 +61,15 @@ public:
         add_blocks();
         add_edges();
         for (const Crossing& crossing : plan_crossings(plan_))
-            things_.add(StreetThings::Thing::crossing, turned({crossing.middle.x, 0.0f, crossing.middle.y},
-                                                              crossing.street_along_z ? 0.0f : k_quarter_rad));
+            things_.add(StreetThings::Thing::crossing,
+                        turned({crossing.middle.x, 0.0f, crossing.middle.y},
+                               crossing.street_along_z ? 0.0f : k_quarter_rad));
         add_cars();
         add_actors();
         place_.environment = noon();
-        // High enough that the street's east side leaves some sun on the pavement across, low enough that cornices
-        // and balconies draw slanted shadows on the west side's façades.
-        place_.environment.direction_to_sun = glm::normalize(glm::vec3{0.44f, 0.84f, 0.32f});
+        // High enough that the street's east side leaves some sun on the pavement across, low enough that
+        // cornices and balconies draw slanted shadows on the west side's façades.
+        place_.environment.direction_to_sun = glm::normalize(glm::vec3{0.39f, 0.86f, 0.33f});
         place_.walk = plan_walk(plan_);
         place_.walk_fov_rad = 0.96f;
         return std::move(place_);
@@ -72,7 +87,8 @@ private:
         Builder builder;
         build_block_ground(builder, plan_.street);
         const std::uint32_t ground =
-            add_model(place_.scene, "block-ground", store(place_.scene, builder.take("block-ground")), palette_.standard);
+            add_model(place_.scene, "block-ground", store(place_.scene, builder.take("block-ground")),
+                      palette_.standard);
         for (int j = 0; j < plan_.blocks_z; ++j) {
             for (int i = 0; i < plan_.blocks_x; ++i) {
                 const glm::vec2 centre = plan_.block_centre(i, j);
@@ -84,22 +100,26 @@ private:
 
     void add_block(int i, int j) {
         const glm::vec2 centre = plan_.block_centre(i, j);
-        Draws draws{key_of(seed_, k_blocks), static_cast<std::uint64_t>(j) * 1000u + static_cast<std::uint64_t>(i)};
+        Draws draws{key_of(seed_, k_blocks),
+                    static_cast<std::uint64_t>(j) * 1000u + static_cast<std::uint64_t>(i)};
         const float half = 0.5f * plan_.street.block_m;
         for (int side = 0; side < 4; ++side) {
             // Sides face +z, +x, −z, −x in turn.
             const float angle = k_quarter_rad * static_cast<float>(side);
-            const Frame middle = turned({centre.x, k_kerb_height_m, centre.y}, angle) * turned({0.0f, 0.0f, half}, 0.0f);
+            const Frame middle =
+                turned({centre.x, k_kerb_height_m, centre.y}, angle) * turned({0.0f, 0.0f, half}, 0.0f);
             // East of the walked street houses stay low, so that the sun reaches the pavement across.
             const bool shades_walk = side == 3 && i == plan_.walked_street();
-            add_row(middle, shades_walk ? 4 : 6, draws);
+            add_row(middle, !shades_walk ? 6 : (j == plan_.walked_row() ? 3 : 4), draws);
             const bool trees = side == 1 || side == 0;
             things_.furnish_side(middle, plan_.street.block_m - 2.0f * k_chamfer_m, trees, draws);
 
             const float corner = half - 0.5f * k_chamfer_m;
             const Frame chamfer = turned({centre.x, k_kerb_height_m, centre.y}, angle) *
                                   turned({corner, 0.0f, corner}, 0.5f * k_quarter_rad);
-            houses_.add_corner_house(chamfer, draws);
+            // The chamfers at both ends of side 3.
+            const bool corner_shades = i == plan_.walked_street() && side >= 2;
+            houses_.add_corner_house(chamfer, corner_shades ? 4 : 6, draws);
             things_.furnish_corner(chamfer);
         }
     }
@@ -110,7 +130,8 @@ private:
         float x = -0.5f * plan_.street.block_m + k_chamfer_m + k_corner_side_m;
         for (const float width : widths) {
             if (width == 0.0f) break;
-            houses_.add_row_house(width, middle * turned({x + 0.5f * width, 0.0f, 0.0f}, 0.0f), most_storeys, draws);
+            houses_.add_row_house(width, middle * turned({x + 0.5f * width, 0.0f, 0.0f}, 0.0f), most_storeys,
+                                  draws);
             if (draws.chance(0.5f))
                 things_.add(StreetThings::Thing::wall_lantern, middle * turned({x, 3.45f, 0.0f}, 0.0f));
             x += width;
@@ -121,22 +142,25 @@ private:
     void add_edges() {
         const glm::vec2 low = plan_.edge_min();
         const glm::vec2 high = plan_.edge_max();
-        const std::array<Frame, 4> frames{
-            turned({low.x, 0.0f, low.y}, 0.0f), turned({high.x, 0.0f, low.y}, -k_quarter_rad),
-            turned({high.x, 0.0f, high.y}, 2.0f * k_quarter_rad), turned({low.x, 0.0f, high.y}, k_quarter_rad)};
+        const std::array<Frame, 4> frames{turned({low.x, 0.0f, low.y}, 0.0f),
+                                          turned({high.x, 0.0f, low.y}, -k_quarter_rad),
+                                          turned({high.x, 0.0f, high.y}, 2.0f * k_quarter_rad),
+                                          turned({low.x, 0.0f, high.y}, k_quarter_rad)};
         for (std::size_t side = 0; side < 4; ++side) {
             Draws draws{key_of(seed_, k_edges), side};
             const float length = (side & 1u) ? high.y - low.y : high.x - low.x;
             Builder builder;
             build_edge_ground(builder, plan_.street, length);
             add_root("edge-ground",
-                     add_model(place_.scene, "edge-ground", store(place_.scene, builder.take("edge-ground")), palette_.standard),
+                     add_model(place_.scene, "edge-ground", store(place_.scene, builder.take("edge-ground")),
+                               palette_.standard),
                      frames[side]);
             const Frame pavement = frames[side] * turned({0.0f, k_kerb_height_m, 0.0f}, 0.0f);
             // The last house overruns its corner, where the next side's row begins behind it.
             for (float x = 0.0f; x < length;) {
                 const float width = Houses::k_widths_m[draws.below(Houses::k_widths_m.size())];
-                houses_.add_row_house(width, pavement * turned({x + 0.5f * width, 0.0f, 0.0f}, 0.0f), 6, draws);
+                houses_.add_row_house(width, pavement * turned({x + 0.5f * width, 0.0f, 0.0f}, 0.0f), 6,
+                                      draws);
                 x += width;
             }
             const int blocks = (side & 1u) ? plan_.blocks_z : plan_.blocks_x;
@@ -202,7 +226,8 @@ private:
                 for (float t = -reach; t <= reach; t += k_slot_m) {
                     if (!draws.chance(k_parked_share)) continue;
                     // The walk keeps to this side of its street: from a car's length before it to its end.
-                    const bool walk = i == plan_.walked_street() && j == plan_.walked_row() && -t > k_walk_from_m - 6.0f;
+                    const bool walk =
+                        i == plan_.walked_street() && j == plan_.walked_row() && -t > k_walk_from_m - 6.0f;
                     if (!walk)
                         park({plan_.street_x(i) + aside, 0.0f, plan_.block_centre(0, j).y + t},
                              forwards ? 2.0f * k_quarter_rad : 0.0f);
@@ -226,7 +251,8 @@ private:
             people.push_back(add_person(place_.scene, draw_looks(n, draws), palette_.standard));
         PavementPlan pavements = plan_pavements(plan_);
         place_.lanes = plan_lanes(plan_);
-        place_.actors = plan_actors(plan_, parameters_, pavements, place_.lanes, people, cars_, key_of(seed_, k_actors));
+        place_.actors =
+            plan_actors(plan_, parameters_, pavements, place_.lanes, people, cars_, key_of(seed_, k_actors));
         place_.pavements = std::move(pavements.network);
     }
 

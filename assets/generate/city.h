@@ -19,7 +19,8 @@ struct CityParameters {
 inline constexpr std::array k_city_parameters{
     parameter<&CityParameters::blocks_x>("blocks-x", "", 1, 100, "Blocks from west to east."),
     parameter<&CityParameters::blocks_z>("blocks-z", "", 1, 100, "Blocks from north to south."),
-    parameter<&CityParameters::street_width_m>("street", "m", 6, 30, "Width of a street between its façades."),
+    parameter<&CityParameters::street_width_m>("street", "m", 6, 30,
+                                               "Width of a street between its façades."),
     parameter<&CityParameters::walkers>("walkers", "", 0, 100000, "People on the pavements."),
     parameter<&CityParameters::cars>("cars", "", 0, 10000, "Cars on the lanes."),
 };

@@ -1,8 +1,8 @@
 #include "assets/generate/city_paths.h"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -29,7 +29,8 @@ public:
     PavementPlan make() {
         add_blocks();
         add_edges();
-        for (const Crossing& crossing : plan_crossings(plan_)) add_crossing(crossing);
+        for (const Crossing& crossing : plan_crossings(plan_))
+            add_crossing(crossing);
         return std::move(result_);
     }
 
@@ -77,12 +78,14 @@ private:
         for (int j = 0; j < plan_.blocks_z; ++j) {
             for (int i = 0; i < plan_.blocks_x; ++i) {
                 std::array<std::uint32_t, 8> ring{};
-                for (std::size_t k = 0; k < 8; ++k) ring[k] = add_walkway_point(plan_.block_centre(i, j) + outline[k]);
+                for (std::size_t k = 0; k < 8; ++k)
+                    ring[k] = add_walkway_point(plan_.block_centre(i, j) + outline[k]);
                 for (std::size_t k = 0; k < 8; ++k) {
                     const std::uint32_t link = add_link(ring[k], ring[(k + 1) % 8], half_);
                     result_.pavement_links.push_back(link);
                     // Sides 0 and 2 are corners 0–1 (+x) and 4–5 (−x).
-                    const bool beside = (k == 0 && i + 1 == plan_.walked_street()) || (k == 4 && i == plan_.walked_street());
+                    const bool beside =
+                        (k == 0 && i + 1 == plan_.walked_street()) || (k == 4 && i == plan_.walked_street());
                     const bool ahead = j == plan_.walked_row() || j + 1 == plan_.walked_row();
                     if (beside && ahead) result_.walked_links.push_back(link);
                 }
@@ -105,14 +108,16 @@ private:
             }
             const bool forwards = along_x ? to.x > from.x : to.y > from.y;
             if (!forwards) std::reverse(stops.begin(), stops.end());
-            for (const float stop : stops) loop.push_back(along_x ? glm::vec2{stop, from.y} : glm::vec2{from.x, stop});
+            for (const float stop : stops)
+                loop.push_back(along_x ? glm::vec2{stop, from.y} : glm::vec2{from.x, stop});
         };
         side({low.x, low.y}, {high.x, low.y}, true, plan_.blocks_x);
         side({high.x, low.y}, {high.x, high.y}, false, plan_.blocks_z);
         side({high.x, high.y}, {low.x, high.y}, true, plan_.blocks_x);
         side({low.x, high.y}, {low.x, low.y}, false, plan_.blocks_z);
         std::vector<std::uint32_t> points;
-        for (const glm::vec2 at : loop) points.push_back(add_walkway_point(at));
+        for (const glm::vec2 at : loop)
+            points.push_back(add_walkway_point(at));
         for (std::size_t k = 0; k < points.size(); ++k)
             result_.pavement_links.push_back(add_link(points[k], points[(k + 1) % points.size()], half_));
     }
@@ -125,8 +130,10 @@ private:
         constexpr float k_crossing_half_m = 0.4f;
         std::uint32_t before = point_near(crossing.middle - across * walkway);
         const std::uint32_t last = point_near(crossing.middle + across * walkway);
-        const std::array<std::pair<float, float>, 4> steps{
-            {{-kerb - 0.05f, k_kerb_height_m}, {-kerb + 0.30f, 0.0f}, {kerb - 0.30f, 0.0f}, {kerb + 0.05f, k_kerb_height_m}}};
+        const std::array<std::pair<float, float>, 4> steps{{{-kerb - 0.05f, k_kerb_height_m},
+                                                            {-kerb + 0.30f, 0.0f},
+                                                            {kerb - 0.30f, 0.0f},
+                                                            {kerb + 0.05f, k_kerb_height_m}}};
         for (const auto& [offset, height] : steps) {
             const std::uint32_t next = add_point(crossing.middle + across * offset, height);
             add_link(before, next, std::min(half_, k_crossing_half_m));
@@ -143,7 +150,9 @@ private:
 
 }  // namespace
 
-PavementPlan plan_pavements(const CityPlan& plan) { return PavementPlanner{plan}.make(); }
+PavementPlan plan_pavements(const CityPlan& plan) {
+    return PavementPlanner{plan}.make();
+}
 
 std::vector<Crossing> plan_crossings(const CityPlan& plan) {
     std::vector<Crossing> crossings;
@@ -162,10 +171,13 @@ std::vector<Crossing> plan_crossings(const CityPlan& plan) {
 
 PathNetwork plan_lanes(const CityPlan& plan) {
     PathNetwork lanes;
-    const auto point = [&](int i, int j) { return static_cast<std::uint32_t>(j * (plan.blocks_x + 1) + i); };
+    const auto point = [&](int i, int j) {
+        return static_cast<std::uint32_t>(j * (plan.blocks_x + 1) + i);
+    };
     for (int j = 0; j <= plan.blocks_z; ++j)
         for (int i = 0; i <= plan.blocks_x; ++i)
-            lanes.points.emplace_back(plan.street_x(i) + plan.lane_m(), 0.0f, plan.street_z(j) + plan.lane_m());
+            lanes.points.emplace_back(plan.street_x(i) + plan.lane_m(), 0.0f,
+                                      plan.street_z(j) + plan.lane_m());
     const auto add = [&](std::uint32_t a, std::uint32_t b, bool forwards) {
         lanes.links.push_back({forwards ? a : b, forwards ? b : a, 0.15f, false});
     };
@@ -174,12 +186,14 @@ PathNetwork plan_lanes(const CityPlan& plan) {
         for (int j = 0; j < plan.blocks_z; ++j)
             add(point(i, j), point(i, j + 1), runs_positive(i, plan.blocks_x, false));
     for (int j = 0; j <= plan.blocks_z; ++j)
-        for (int i = 0; i < plan.blocks_x; ++i) add(point(i, j), point(i + 1, j), runs_positive(j, plan.blocks_z, true));
+        for (int i = 0; i < plan.blocks_x; ++i)
+            add(point(i, j), point(i + 1, j), runs_positive(j, plan.blocks_z, true));
     return lanes;
 }
 
-std::vector<ActorStart> plan_actors(const CityPlan& plan, const CityParameters& parameters, const PavementPlan& pavements,
-                                    const PathNetwork& lanes, const std::vector<std::uint32_t>& people,
+std::vector<ActorStart> plan_actors(const CityPlan& plan, const CityParameters& parameters,
+                                    const PavementPlan& pavements, const PathNetwork& lanes,
+                                    const std::vector<std::uint32_t>& people,
                                     const std::vector<std::uint32_t>& cars, std::uint64_t seed) {
     std::vector<ActorStart> actors;
     Draws draws{seed};
@@ -194,9 +208,11 @@ std::vector<ActorStart> plan_actors(const CityPlan& plan, const CityParameters& 
         start.prototype = people[static_cast<std::size_t>(n) % people.size()];
         start.link = link;
         // Golden-ratio steps spread those of one link evenly, however many come.
-        start.along = glm::fract(0.13f + 0.618034f * static_cast<float>(on_link[link]++) + 0.04f * draws.unit());
+        start.along =
+            glm::fract(0.13f + 0.618034f * static_cast<float>(on_link[link]++) + 0.04f * draws.unit());
         start.backwards = draws.chance(0.5f);
-        start.aside_m = (start.backwards ? -1.0f : 1.0f) * draws.between(0.25f, 0.95f) * half;  // people keep right
+        start.aside_m =
+            (start.backwards ? -1.0f : 1.0f) * draws.between(0.25f, 0.95f) * half;  // people keep right
         start.speed_m_s = draws.between(1.0f, 1.6f);
         actors.push_back(start);
     }

@@ -9,8 +9,8 @@
 
 namespace rambla::assets::generate {
 
-/// Ways around every block and along the city's edge, joined by the crossings, at pavement height (road height on
-/// the carriageway).
+/// Ways around every block and along the city's edge, joined by the crossings, at pavement height (road
+/// height on the carriageway).
 struct PavementPlan {
     PathNetwork network;
     std::vector<std::uint32_t> walked_links;    ///< along both sides of the standard walk's street
@@ -27,8 +27,8 @@ struct Crossing {
     glm::vec2 middle{0.0f};
     bool street_along_z = true;
 };
-/// All zebras. The street of the standard walk has none where the walk leaves its block, so that nobody crosses
-/// the camera's way.
+/// All zebras. The street of the standard walk has none where the walk leaves its block, so that nobody
+/// crosses the camera's way.
 [[nodiscard]] std::vector<Crossing> plan_crossings(const CityPlan& plan);
 
 /// Walkers and cars with varied speed, in both directions; two of five walkers are in the walked street.

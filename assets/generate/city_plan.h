@@ -7,7 +7,8 @@
 
 namespace rambla::assets::generate {
 
-/// Where everything of a city lies: streets on a grid centred at the origin, streets 0 and n run along the edge.
+/// Where everything of a city lies: streets on a grid centred at the origin, streets 0 and n run along the
+/// edge.
 struct CityPlan {
     StreetPlan street;
     int blocks_x = 3;
@@ -28,7 +29,8 @@ struct CityPlan {
     [[nodiscard]] int walked_street() const { return blocks_x / 2; }
     [[nodiscard]] int walked_row() const { return blocks_z / 2; }
 
-    /// Middle of the one-way lane beside the street's middle; the other side of the carriageway is for parking.
+    /// Middle of the one-way lane beside the street's middle; the other side of the carriageway is for
+    /// parking.
     [[nodiscard]] float lane_m() const { return -0.21f * street.carriageway_m(); }
 
 private:
@@ -45,8 +47,8 @@ private:
     return plan;
 }
 
-/// Whether the one-way traffic of street i out of n + 1 runs towards +z (or +x): in turn, the last against the first,
-/// so that the edge streets close a loop.
+/// Whether the one-way traffic of street i out of n + 1 runs towards +z (or +x): in turn, the last against
+/// the first, so that the edge streets close a loop.
 [[nodiscard]] inline bool runs_positive(int i, int n, bool first_positive) {
     return i == n ? !first_positive : ((i & 1) != 0) != first_positive;
 }

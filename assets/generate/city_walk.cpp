@@ -15,16 +15,16 @@ struct Step {
 
 constexpr float k_eye_m = 1.65f;
 // The lane is left of the street's middle; this side is free of parked cars along the walk.
-constexpr std::array<Step, 10> k_steps{{{0.0f, 0.95f, -2.0f, {-1.6f, 2.30f, 18.0f}},
-                                        {2.0f, 0.95f, 0.4f, {-1.8f, 2.35f, 18.0f}},
-                                        {4.0f, 0.90f, 3.2f, {-5.5f, 3.20f, 12.0f}},
-                                        {6.0f, 0.85f, 6.2f, {-6.5f, 4.60f, 8.0f}},
-                                        {8.0f, 0.85f, 9.4f, {-1.0f, 3.00f, 14.0f}},
-                                        {10.0f, 0.90f, 13.0f, {4.2f, 2.10f, 9.0f}},
-                                        {12.0f, 0.90f, 17.2f, {2.0f, 2.20f, 14.0f}},
-                                        {14.0f, 0.70f, 22.0f, {-3.5f, 3.40f, 12.0f}},
-                                        {15.0f, 0.60f, 24.6f, {-7.0f, 4.20f, 11.0f}},
-                                        {16.0f, 0.50f, 27.0f, {-8.5f, 4.40f, 10.0f}}}};
+constexpr std::array<Step, 10> k_steps{{{0.0f, 1.35f, 0.8f, {-1.6f, 2.30f, 18.0f}},
+                                        {2.0f, 1.35f, 2.2f, {-1.8f, 2.35f, 18.0f}},
+                                        {4.0f, 1.35f, 4.4f, {-5.5f, 3.20f, 12.0f}},
+                                        {6.0f, 1.30f, 7.0f, {-6.5f, 4.60f, 8.0f}},
+                                        {8.0f, 1.25f, 9.8f, {-1.0f, 3.00f, 14.0f}},
+                                        {10.0f, 1.20f, 13.0f, {4.2f, 2.10f, 9.0f}},
+                                        {12.0f, 1.10f, 17.2f, {2.0f, 2.20f, 14.0f}},
+                                        {14.0f, 0.90f, 22.0f, {-3.5f, 3.40f, 12.0f}},
+                                        {15.0f, 0.75f, 24.6f, {-7.0f, 4.20f, 11.0f}},
+                                        {16.0f, 0.60f, 27.0f, {-8.5f, 4.40f, 10.0f}}}};
 static_assert(k_steps.front().ahead_m == k_walk_from_m && k_steps.back().ahead_m == k_walk_to_m);
 
 }  // namespace

@@ -44,14 +44,14 @@ struct FacadeLight {
 struct FacadeSite {
     float width_m = 10.0f;
     int bays = 3;
-    float mitre_left = 0.0f;   ///< see Builder::moulding
+    float mitre_left = 0.0f;  ///< see Builder::moulding
     float mitre_right = 0.0f;
-    bool door = true;          ///< one bay of the ground floor is the house door
+    bool door = true;  ///< one bay of the ground floor is the house door
 };
 
 /// Wall, windows, balconies, mouldings and parapet; returns the lights at shop fronts.
-[[nodiscard]] std::vector<FacadeLight> build_facade(Builder& builder, const FacadeSite& site, const FacadeStyle& style,
-                                                    Draws& draws);
+[[nodiscard]] std::vector<FacadeLight> build_facade(Builder& builder, const FacadeSite& site,
+                                                    const FacadeStyle& style, Draws& draws);
 
 // Pieces of a façade, one file each.
 
@@ -64,8 +64,9 @@ struct Opening {
 /// How far windows, doors and shop fronts stand behind the wall.
 inline constexpr float k_reveal_m = 0.22f;
 
-/// Fills the wall from x = 0 to width between the lowest and highest of `levels` but for the openings that lie where
-/// odd columns meet odd rows of the grid. @param columns  ascending x of all vertical cuts; levels: of the horizontal
+/// Fills the wall from x = 0 to width between the lowest and highest of `levels` but for the openings that
+/// lie where odd columns meet odd rows of the grid. @param columns  ascending x of all vertical cuts; levels:
+/// of the horizontal
 void build_pierced_wall(Builder& builder, Surface surface, const std::vector<float>& columns,
                         const std::vector<float>& levels);
 /// The four inner sides of an opening.

@@ -20,8 +20,11 @@ void build_lantern(Builder& b, glm::vec3 foot) {
     for (std::size_t i = 0; i < 4; ++i) {
         const glm::vec2 p = around[i];
         const glm::vec2 q = around[(i + 1) % 4];
-        const auto at = [&](glm::vec2 c, float r, float y) { return foot + glm::vec3{c.x * r, y, c.y * r}; };
-        b.face(Surface::lantern, at(p, k_low, 0.0f), at(q, k_low, 0.0f), at(q, k_high, k_tall), at(p, k_high, k_tall));
+        const auto at = [&](glm::vec2 c, float r, float y) {
+            return foot + glm::vec3{c.x * r, y, c.y * r};
+        };
+        b.face(Surface::lantern, at(p, k_low, 0.0f), at(q, k_low, 0.0f), at(q, k_high, k_tall),
+               at(p, k_high, k_tall));
         b.face(Surface::iron, at(p, 0.20f, k_tall), at(q, 0.20f, k_tall), at(q, 0.06f, k_tall + 0.16f),
                at(p, 0.06f, k_tall + 0.16f));
         b.face(Surface::iron, at(q, 0.20f, k_tall), at(p, 0.20f, k_tall), at(p, k_high - 0.03f, k_tall),
@@ -32,19 +35,21 @@ void build_lantern(Builder& b, glm::vec3 foot) {
                                         {edge_high, {0.012f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.012f}}}};
         b.tube(Surface::iron, edge, 4, false, false);
     }
-    const std::array<Ring, 3> knob{{{foot + glm::vec3{0.0f, k_tall + 0.15f, 0.0f}, {0.05f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.05f}},
-                                    {foot + glm::vec3{0.0f, k_tall + 0.21f, 0.0f}, {0.035f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.035f}},
-                                    {foot + glm::vec3{0.0f, k_tall + 0.27f, 0.0f}, {0.004f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.004f}}}};
+    const std::array<Ring, 3> knob{
+        {{foot + glm::vec3{0.0f, k_tall + 0.15f, 0.0f}, {0.05f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.05f}},
+         {foot + glm::vec3{0.0f, k_tall + 0.21f, 0.0f}, {0.035f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.035f}},
+         {foot + glm::vec3{0.0f, k_tall + 0.27f, 0.0f}, {0.004f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.004f}}}};
     b.tube(Surface::iron, knob, 6, false, true);
 }
 
 }  // namespace
 
 void build_lamp_post(Builder& b) {
-    const std::array<Ring, 12> post{round_ring(0.0f, 0.19f),  round_ring(0.10f, 0.19f), round_ring(0.16f, 0.15f),
-                                    round_ring(0.55f, 0.12f), round_ring(0.62f, 0.15f), round_ring(0.70f, 0.09f),
-                                    round_ring(1.05f, 0.075f), round_ring(1.10f, 0.095f), round_ring(1.15f, 0.065f),
-                                    round_ring(3.20f, 0.045f), round_ring(3.26f, 0.080f), round_ring(3.34f, 0.040f)};
+    const std::array<Ring, 12> post{
+        round_ring(0.0f, 0.19f),   round_ring(0.10f, 0.19f),  round_ring(0.16f, 0.15f),
+        round_ring(0.55f, 0.12f),  round_ring(0.62f, 0.15f),  round_ring(0.70f, 0.09f),
+        round_ring(1.05f, 0.075f), round_ring(1.10f, 0.095f), round_ring(1.15f, 0.065f),
+        round_ring(3.20f, 0.045f), round_ring(3.26f, 0.080f), round_ring(3.34f, 0.040f)};
     b.tube(Surface::iron, post, 10, false, true);
     const std::array<Ring, 2> arm{{{{-0.28f, 3.08f, 0.0f}, {0.0f, 0.018f, 0.0f}, {0.0f, 0.0f, 0.018f}},
                                    {{0.28f, 3.08f, 0.0f}, {0.0f, 0.018f, 0.0f}, {0.0f, 0.0f, 0.018f}}}};
@@ -70,8 +75,9 @@ void build_bench(Builder& b) {
 }
 
 void build_bollard(Builder& b) {
-    const std::array<Ring, 7> post{round_ring(0.0f, 0.085f), round_ring(0.06f, 0.085f), round_ring(0.10f, 0.06f),
-                                   round_ring(0.72f, 0.055f), round_ring(0.75f, 0.075f), round_ring(0.80f, 0.07f),
+    const std::array<Ring, 7> post{round_ring(0.0f, 0.085f),  round_ring(0.06f, 0.085f),
+                                   round_ring(0.10f, 0.06f),  round_ring(0.72f, 0.055f),
+                                   round_ring(0.75f, 0.075f), round_ring(0.80f, 0.07f),
                                    round_ring(0.88f, 0.02f)};
     b.tube(Surface::iron, post, 8, false, true);
 }
@@ -80,8 +86,9 @@ void build_litter_bin(Builder& b) {
     b.box(Surface::iron, {-0.28f, 0.0f, -0.02f}, {-0.24f, 0.95f, 0.02f});
     b.box(Surface::iron, {0.24f, 0.0f, -0.02f}, {0.28f, 0.95f, 0.02f});
     b.colour = {0.75f, 0.80f, 0.78f, 1.0f};
-    const std::array<Ring, 5> bin{round_ring(0.24f, 0.17f), round_ring(0.28f, 0.20f), round_ring(0.82f, 0.23f),
-                                  round_ring(0.84f, 0.24f), round_ring(0.86f, 0.20f)};
+    const std::array<Ring, 5> bin{round_ring(0.24f, 0.17f), round_ring(0.28f, 0.20f),
+                                  round_ring(0.82f, 0.23f), round_ring(0.84f, 0.24f),
+                                  round_ring(0.86f, 0.20f)};
     b.tube(Surface::metal, bin, 12, true, true);
     b.colour = glm::vec4{1.0f};
 }
@@ -93,8 +100,8 @@ void build_tree_pit(Builder& b) {
     for (const float side : {-1.0f, 1.0f}) {
         const float outer = side * k_half;
         const float inner = side * (k_half - k_frame);
-        b.box(Surface::kerb, {std::min(outer, inner), -0.02f, -k_half}, {std::max(outer, inner), 0.045f, k_half},
-              k_all_sides & ~k_side_bottom);
+        b.box(Surface::kerb, {std::min(outer, inner), -0.02f, -k_half},
+              {std::max(outer, inner), 0.045f, k_half}, k_all_sides & ~k_side_bottom);
         b.box(Surface::kerb, {-k_half + k_frame, -0.02f, std::min(outer, inner)},
               {k_half - k_frame, 0.045f, std::max(outer, inner)}, k_all_sides & ~k_side_bottom);
     }

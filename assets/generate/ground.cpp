@@ -12,11 +12,13 @@ constexpr float k_kerb_width_m = 0.20f;
 constexpr float k_gutter_m = 0.28f;
 constexpr float k_paint_lift_m = 0.02f;
 
-glm::vec3 lifted(glm::vec2 p, float y) { return {p.x, y, p.y}; }
+glm::vec3 lifted(glm::vec2 p, float y) {
+    return {p.x, y, p.y};
+}
 
 /// Flat ring between two outlines of equal corner count, facing up; outer is counter-clockwise from above.
-void build_ring(Builder& b, Surface surface, const std::array<glm::vec2, 8>& inner, const std::array<glm::vec2, 8>& outer,
-                float y) {
+void build_ring(Builder& b, Surface surface, const std::array<glm::vec2, 8>& inner,
+                const std::array<glm::vec2, 8>& outer, float y) {
     for (std::size_t i = 0; i < 8; ++i) {
         const std::size_t j = (i + 1) % 8;
         b.face(surface, lifted(outer[i], y), lifted(outer[j], y), lifted(inner[j], y), lifted(inner[i], y));
@@ -27,7 +29,8 @@ void build_ring(Builder& b, Surface surface, const std::array<glm::vec2, 8>& inn
 void build_step(Builder& b, Surface surface, const std::array<glm::vec2, 8>& outline, float y0, float y1) {
     for (std::size_t i = 0; i < 8; ++i) {
         const std::size_t j = (i + 1) % 8;
-        b.face(surface, lifted(outline[i], y0), lifted(outline[j], y0), lifted(outline[j], y1), lifted(outline[i], y1));
+        b.face(surface, lifted(outline[i], y0), lifted(outline[j], y0), lifted(outline[j], y1),
+               lifted(outline[i], y1));
     }
 }
 
@@ -37,7 +40,14 @@ std::array<glm::vec2, 8> block_outline(const StreetPlan& plan, float offset) {
     // A corner moves along its side by offset · tan(22.5°), so that chamfers keep their 45°.
     const float side = 0.5f * plan.block_m + offset;
     const float end = 0.5f * plan.block_m - k_chamfer_m + 0.41421356f * offset;
-    return {{{side, end}, {side, -end}, {end, -side}, {-end, -side}, {-side, -end}, {-side, end}, {-end, side}, {end, side}}};
+    return {{{side, end},
+             {side, -end},
+             {end, -side},
+             {-end, -side},
+             {-side, -end},
+             {-side, end},
+             {-end, side},
+             {end, side}}};
 }
 
 void build_block_ground(Builder& b, const StreetPlan& plan) {
@@ -51,8 +61,8 @@ void build_block_ground(Builder& b, const StreetPlan& plan) {
     build_step(b, Surface::kerb, kerb, -0.02f, k_kerb_height_m);
     build_ring(b, Surface::gutter, kerb, gutter, 0.0f);
 
-    // The cell's square about the gutter: each corner of the square is met by both ends of a chamfer, so sides are
-    // quadrilaterals and the corners are triangles.
+    // The cell's square about the gutter: each corner of the square is met by both ends of a chamfer, so
+    // sides are quadrilaterals and the corners are triangles.
     const float half = 0.5f * plan.pitch_m();
     // A whole number of repeats from cell to cell: no seam along the middle of a street.
     const float repeat = metres_per_repeat(Surface::asphalt);
@@ -64,15 +74,16 @@ void build_block_ground(Builder& b, const StreetPlan& plan) {
         const glm::vec2 from = square[(side + 3) % 4];
         const glm::vec2 to = square[side];
         const glm::vec2 next = gutter[(2 * side + 2) % 8];
-        const std::array<glm::vec3, 4> road{lifted(from, 0.0f), lifted(to, 0.0f), lifted(c, 0.0f), lifted(a, 0.0f)};
+        const std::array<glm::vec3, 4> road{lifted(from, 0.0f), lifted(to, 0.0f), lifted(c, 0.0f),
+                                            lifted(a, 0.0f)};
         b.polygon(Surface::asphalt, road);
         const std::array<glm::vec3, 3> corner{lifted(to, 0.0f), lifted(next, 0.0f), lifted(c, 0.0f)};
         b.polygon(Surface::asphalt, corner);
     }
     b.stretch = 1.0f;
     const float yard = 0.5f * plan.block_m - k_house_depth_m + 0.5f;
-    b.face(Surface::roof, {-yard, k_kerb_height_m, yard}, {yard, k_kerb_height_m, yard}, {yard, k_kerb_height_m, -yard},
-           {-yard, k_kerb_height_m, -yard});
+    b.face(Surface::roof, {-yard, k_kerb_height_m, yard}, {yard, k_kerb_height_m, yard},
+           {yard, k_kerb_height_m, -yard}, {-yard, k_kerb_height_m, -yard});
 }
 
 void build_edge_ground(Builder& b, const StreetPlan& plan, float length) {
@@ -82,8 +93,8 @@ void build_edge_ground(Builder& b, const StreetPlan& plan, float length) {
     };
     strip(Surface::paving, length, -0.1f, pavement - k_kerb_width_m, k_kerb_height_m);
     strip(Surface::kerb, length, pavement - k_kerb_width_m, pavement, k_kerb_height_m);
-    b.face(Surface::kerb, {pavement, -0.02f, pavement}, {length, -0.02f, pavement}, {length, k_kerb_height_m, pavement},
-           {pavement, k_kerb_height_m, pavement});
+    b.face(Surface::kerb, {pavement, -0.02f, pavement}, {length, -0.02f, pavement},
+           {length, k_kerb_height_m, pavement}, {pavement, k_kerb_height_m, pavement});
     const float road_end = length - 0.5f * plan.street_width_m;
     strip(Surface::gutter, road_end, pavement, pavement + k_gutter_m, 0.0f);
     strip(Surface::asphalt, road_end, pavement + k_gutter_m, 0.5f * plan.street_width_m, 0.0f);
@@ -98,8 +109,8 @@ void build_crossing(Builder& b, const StreetPlan& plan) {
     for (int i = 0; i < bars; ++i) {
         const float x = -0.5f * used + static_cast<float>(2 * i) * k_bar_m;
         const float z = 0.5f * k_length_m;
-        b.face(Surface::paint, {x, k_paint_lift_m, z}, {x + k_bar_m, k_paint_lift_m, z}, {x + k_bar_m, k_paint_lift_m, -z},
-               {x, k_paint_lift_m, -z});
+        b.face(Surface::paint, {x, k_paint_lift_m, z}, {x + k_bar_m, k_paint_lift_m, z},
+               {x + k_bar_m, k_paint_lift_m, -z}, {x, k_paint_lift_m, -z});
     }
 }
 

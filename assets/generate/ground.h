@@ -22,17 +22,18 @@ struct StreetPlan {
 
 inline constexpr float k_kerb_height_m = 0.12f;
 
-/// Corners of a block's outline, pushed outwards by `offset_m`: counter-clockwise from above, centred at the origin.
-/// Corner 2k and 2k + 1 are the ends of side k; sides face +x, −z, −x, +z; chamfers lie between them.
+/// Corners of a block's outline, pushed outwards by `offset_m`: counter-clockwise from above, centred at the
+/// origin. Corner 2k and 2k + 1 are the ends of side k; sides face +x, −z, −x, +z; chamfers lie between them.
 [[nodiscard]] std::array<glm::vec2, 8> block_outline(const StreetPlan& plan, float offset_m);
 
-/// Pavement with kerb around a block, courtyard floor, gutter and the carriageways up to the middle of the streets
-/// around it. Road at y = 0, pavement at k_kerb_height_m.
+/// Pavement with kerb around a block, courtyard floor, gutter and the carriageways up to the middle of the
+/// streets around it. Road at y = 0, pavement at k_kerb_height_m.
 void build_block_ground(Builder& builder, const StreetPlan& plan);
 
-/// Pavement with kerb along a row of houses at the city's edge and half a street before it: façades at z = 0, street
-/// towards +z. Four of them close a city like a pinwheel: each begins one pavement after its corner, its pavement ends
-/// at the next (x = length) and its road half a street before that, where the next one's begin.
+/// Pavement with kerb along a row of houses at the city's edge and half a street before it: façades at z = 0,
+/// street towards +z. Four of them close a city like a pinwheel: each begins one pavement after its corner,
+/// its pavement ends at the next (x = length) and its road half a street before that, where the next one's
+/// begin.
 void build_edge_ground(Builder& builder, const StreetPlan& plan, float length_m);
 
 /// Zebra across a street that runs along z, centred at the origin: bars from kerb to kerb.

@@ -16,10 +16,12 @@ constexpr std::size_t k_variants = 6;
 constexpr std::size_t k_corner_variants = 6;
 constexpr std::size_t k_plaster_schemes = 14;
 constexpr std::size_t k_brick_schemes = 2;
-constexpr float k_lit_shop_share = 0.4f;
+constexpr float k_lit_shop_share = 0.33f;
 
 /// Three to six upper storeys, each height among every width's variants.
-int storeys_of(std::size_t variant) { return 3 + static_cast<int>(variant % 4); }
+int storeys_of(std::size_t variant) {
+    return 3 + static_cast<int>(variant % 4);
+}
 
 std::uint32_t add_light(Scene& scene, const char* name, LightKind kind, float intensity, float range) {
     Light light;
@@ -69,11 +71,14 @@ Houses::Houses(Scene& scene, const Palette& palette, std::uint64_t seed) : scene
     row_houses_.resize(k_widths_m.size());
     for (std::size_t i = 0; i < built.size(); ++i) {
         auto& list = i < k_rows ? row_houses_[i / k_variants] : corner_houses_;
-        list.push_back({store(scene_, std::move(built[i].parts)), std::move(built[i].lights), built[i].style});
+        list.push_back(
+            {store(scene_, std::move(built[i].parts)), std::move(built[i].lights), built[i].style});
     }
     Draws draws{seed, built.size()};
-    for (std::size_t i = 0; i < k_plaster_schemes; ++i) plaster_schemes_.push_back(building_scheme(palette, draws, false));
-    for (std::size_t i = 0; i < k_brick_schemes; ++i) brick_schemes_.push_back(building_scheme(palette, draws, true));
+    for (std::size_t i = 0; i < k_plaster_schemes; ++i)
+        plaster_schemes_.push_back(building_scheme(palette, draws, false));
+    for (std::size_t i = 0; i < k_brick_schemes; ++i)
+        brick_schemes_.push_back(building_scheme(palette, draws, true));
     lamp_ = add_light(scene_, "shop-lamp", LightKind::point, 1.6f, 4.5f);
     spot_ = add_light(scene_, "shop-spot", LightKind::spot, 4.0f, 6.0f);
 }
@@ -82,19 +87,19 @@ void Houses::add_row_house(float width, const Frame& at, int most_storeys, Draws
     const auto found = std::min_element(k_widths_m.begin(), k_widths_m.end(), [&](float a, float b) {
         return std::abs(a - width) < std::abs(b - width);
     });
-    const auto& variants = row_houses_[static_cast<std::size_t>(found - k_widths_m.begin())];
-    std::vector<std::size_t> fitting;
-    for (std::size_t i = 0; i < variants.size(); ++i)
-        if (variants[i].style.upper_storeys <= most_storeys) fitting.push_back(i);
-    add(variants, fitting[draws.below(static_cast<std::uint32_t>(fitting.size()))], "house", at, draws);
+    add(row_houses_[static_cast<std::size_t>(found - k_widths_m.begin())], most_storeys, "house", at, draws);
 }
 
-void Houses::add_corner_house(const Frame& at, Draws& draws) {
-    add(corner_houses_, draws.below(static_cast<std::uint32_t>(corner_houses_.size())), "corner-house", at, draws);
+void Houses::add_corner_house(const Frame& at, int most_storeys, Draws& draws) {
+    add(corner_houses_, most_storeys, "corner-house", at, draws);
 }
 
-void Houses::add(const std::vector<House>& houses, std::size_t index, const char* name, const Frame& at, Draws& draws) {
-    const House& house = houses[index];
+void Houses::add(const std::vector<House>& houses, int most_storeys, const char* name, const Frame& at,
+                 Draws& draws) {
+    std::vector<const House*> fitting;
+    for (const House& candidate : houses)
+        if (candidate.style.upper_storeys <= most_storeys) fitting.push_back(&candidate);
+    const House& house = *fitting[draws.below(static_cast<std::uint32_t>(fitting.size()))];
     const auto& schemes = house.style.brick ? brick_schemes_ : plaster_schemes_;
     const std::size_t scheme = draws.below(static_cast<std::uint32_t>(schemes.size()));
     auto [model, fresh] = models_.try_emplace({&house, scheme}, k_none);
@@ -109,7 +114,8 @@ void Houses::add(const std::vector<House>& houses, std::size_t index, const char
         local.translation_m = light.position_m;
         // Lights shine along −z; a quarter turn about x points that down.
         if (light.spot) local.rotation = {std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f};
-        scene_.nodes[add_node(scene_, light.spot ? "shop-spot" : "shop-lamp", node, local)].light = light.spot ? spot_ : lamp_;
+        scene_.nodes[add_node(scene_, light.spot ? "shop-spot" : "shop-lamp", node, local)].light =
+            light.spot ? spot_ : lamp_;
     }
 }
 

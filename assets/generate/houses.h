@@ -17,11 +17,12 @@ public:
 
     Houses(Scene& scene, const Palette& palette, std::uint64_t seed);
 
-    /// Adds a house of this width to the scene as a root, its façade's middle at the frame's origin, facing its z.
+    /// Adds a house of this width to the scene as a root, its façade's middle at the frame's origin, facing
+    /// its z.
     /// @param most_storeys  upper storeys at most; at least 3
     void add_row_house(float width_m, const Frame& at, int most_storeys, Draws& draws);
     /// Adds a corner house, the middle of its chamfer at the frame's origin.
-    void add_corner_house(const Frame& at, Draws& draws);
+    void add_corner_house(const Frame& at, int most_storeys, Draws& draws);
 
 private:
     struct House {
@@ -29,7 +30,8 @@ private:
         std::vector<FacadeLight> lights;
         FacadeStyle style;
     };
-    void add(const std::vector<House>& houses, std::size_t index, const char* name, const Frame& at, Draws& draws);
+    void add(const std::vector<House>& houses, int most_storeys, const char* name, const Frame& at,
+             Draws& draws);
 
     Scene& scene_;
     std::vector<std::vector<House>> row_houses_;  ///< by width

@@ -7,7 +7,8 @@
 namespace rambla::assets::generate {
 
 /// Adds a node under `parent`, or one without parent (which is not made a root), and returns its index.
-inline std::uint32_t add_node(Scene& scene, const std::string& name, std::uint32_t parent, const Transform& local) {
+inline std::uint32_t add_node(Scene& scene, const std::string& name, std::uint32_t parent,
+                              const Transform& local) {
     const auto index = static_cast<std::uint32_t>(scene.nodes.size());
     Node node;
     node.name = name;

@@ -41,8 +41,10 @@ glm::vec2 cell_noise(glm::vec2 p, glm::uvec2 cells, std::uint32_t seed) {
     glm::vec2 nearest{8.0f};  // squared distances; farther than any neighbour can be
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
-            const std::uint32_t x = static_cast<std::uint32_t>(home.x + dx + static_cast<int>(cells.x)) % cells.x;
-            const std::uint32_t y = static_cast<std::uint32_t>(home.y + dy + static_cast<int>(cells.y)) % cells.y;
+            const std::uint32_t x =
+                static_cast<std::uint32_t>(home.x + dx + static_cast<int>(cells.x)) % cells.x;
+            const std::uint32_t y =
+                static_cast<std::uint32_t>(home.y + dy + static_cast<int>(cells.y)) % cells.y;
             const glm::vec2 point{static_cast<float>(home.x + dx) + lattice_unit(x, y, seed),
                                   static_cast<float>(home.y + dy) + lattice_unit(x, y, seed + 77u)};
             const glm::vec2 to = point - at;

@@ -26,8 +26,8 @@ namespace rambla::assets::generate {
 /// Sum of `octaves` of value noise, each at twice the frequency and half the amplitude, normalised to [0, 1].
 [[nodiscard]] float fractal_noise(glm::vec2 p, glm::uvec2 cells, int octaves, std::uint32_t seed);
 
-/// Distances to the nearest and second nearest of one jittered point per cell, in cells; repeats like value_noise.
-/// Worley 1996.
+/// Distances to the nearest and second nearest of one jittered point per cell, in cells; repeats like
+/// value_noise. Worley 1996.
 [[nodiscard]] glm::vec2 cell_noise(glm::vec2 p, glm::uvec2 cells, std::uint32_t seed);
 
 }  // namespace rambla::assets::generate

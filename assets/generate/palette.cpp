@@ -27,21 +27,28 @@ std::array<TextureSet, k_pattern_count> add_textures(Scene& scene, std::uint64_t
     std::vector<PaintedSet> sets = paint_all_patterns(static_cast<std::uint32_t>(scramble(seed)));
     for (std::size_t i = 0; i < sets.size(); ++i) {
         const auto pattern = static_cast<Pattern>(i);
-        const bool clamp = pattern == Pattern::leaves || pattern == Pattern::door || pattern == Pattern::cover ||
-                           pattern == Pattern::signs;
+        const bool clamp = pattern == Pattern::leaves || pattern == Pattern::door ||
+                           pattern == Pattern::cover || pattern == Pattern::signs;
         PaintedSet& set = sets[i];
         result[i].colour = add_texture(scene, std::move(set.colour), ColourSpace::srgb, clamp);
-        if (set.normal) result[i].normal = add_texture(scene, std::move(*set.normal), ColourSpace::linear, clamp);
-        if (set.roughness) result[i].roughness = add_texture(scene, std::move(*set.roughness), ColourSpace::linear, clamp);
-        if (set.emission) result[i].emission = add_texture(scene, std::move(*set.emission), ColourSpace::srgb, clamp);
+        if (set.normal)
+            result[i].normal = add_texture(scene, std::move(*set.normal), ColourSpace::linear, clamp);
+        if (set.roughness)
+            result[i].roughness = add_texture(scene, std::move(*set.roughness), ColourSpace::linear, clamp);
+        if (set.emission)
+            result[i].emission = add_texture(scene, std::move(*set.emission), ColourSpace::srgb, clamp);
     }
     return result;
 }
 
-float linear(float s) { return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f); }
+float linear(float s) {
+    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
+}
 
 /// A linear colour from display values as painters name them.
-glm::vec4 srgb(float r, float g, float b) { return {linear(r), linear(g), linear(b), 1.0f}; }
+glm::vec4 srgb(float r, float g, float b) {
+    return {linear(r), linear(g), linear(b), 1.0f};
+}
 
 class Maker {
 public:
@@ -74,7 +81,9 @@ public:
         scene_.materials[material].emissive = radiance;
         return material;
     }
-    std::uint32_t cut_out(std::uint32_t material) {
+    /// @param cutoff  low for thin things, or filtered alpha would eat them away in the distance
+    std::uint32_t cut_out(std::uint32_t material, float cutoff) {
+        scene_.materials[material].alpha_cutoff = cutoff;
         scene_.materials[material].alpha_mode = AlphaMode::mask;
         scene_.materials[material].double_sided = true;
         return material;
@@ -96,36 +105,43 @@ private:
 
 void make_ground(Maker& make, Scheme& to) {
     const glm::vec4 white{1.0f};
-    const auto set = [&](Surface surface, std::uint32_t material) { to[static_cast<std::size_t>(surface)] = material; };
+    const auto set = [&](Surface surface, std::uint32_t material) {
+        to[static_cast<std::size_t>(surface)] = material;
+    };
     set(Surface::asphalt, make.textured("asphalt", Pattern::asphalt, white, 0.85f));
     set(Surface::gutter, make.textured("gutter", Pattern::granite, srgb(0.80f, 0.79f, 0.77f), 0.85f));
     set(Surface::kerb, make.textured("kerb", Pattern::granite, white, 0.75f));
     set(Surface::paving, make.textured("paving", Pattern::paving, white, 0.8f));
-    set(Surface::paint, make.cut_out(make.textured("road-paint", Pattern::paint, white, 0.7f)));
+    set(Surface::paint, make.cut_out(make.textured("road-paint", Pattern::paint, white, 0.7f), 0.5f));
     set(Surface::cover, make.textured("cast-iron-cover", Pattern::cover, white, 0.55f));
     set(Surface::soil, make.plain("soil", srgb(0.33f, 0.26f, 0.20f), 0.95f));
 }
 
 void make_things(Maker& make, Scheme& to) {
     const glm::vec4 white{1.0f};
-    const auto set = [&](Surface surface, std::uint32_t material) { to[static_cast<std::size_t>(surface)] = material; };
-    set(Surface::foliage, make.cut_out(make.textured("leaves", Pattern::leaves, white, 0.65f)));
+    const auto set = [&](Surface surface, std::uint32_t material) {
+        to[static_cast<std::size_t>(surface)] = material;
+    };
+    set(Surface::foliage, make.cut_out(make.textured("leaves", Pattern::leaves, white, 0.65f), 0.4f));
     set(Surface::bark, make.textured("bark", Pattern::bark, white, 0.9f));
     set(Surface::iron, make.plain("iron", srgb(0.17f, 0.17f, 0.17f), 0.5f));
-    set(Surface::railing, make.cut_out(make.textured("railing", Pattern::railing, white, 0.55f)));
-    set(Surface::lantern, make.emitting(make.plain("lantern", srgb(0.92f, 0.88f, 0.78f), 0.3f), {0.55f, 0.44f, 0.27f}));
+    set(Surface::railing, make.cut_out(make.textured("railing", Pattern::railing, white, 0.55f), 0.25f));
+    set(Surface::lantern,
+        make.emitting(make.plain("lantern", srgb(0.92f, 0.88f, 0.78f), 0.3f), {0.55f, 0.44f, 0.27f}));
     set(Surface::timber, make.textured("timber", Pattern::timber, srgb(0.62f, 0.43f, 0.28f), 0.6f));
     set(Surface::sign, make.textured("signs", Pattern::signs, white, 0.45f));
     set(Surface::pane, make.textured("glass", Pattern::window, white, 0.05f));
     set(Surface::pane_lit,
         make.emitting(make.textured("glass-lit", Pattern::window_lit, white, 0.05f), {0.95f, 0.80f, 0.60f}));
-    set(Surface::shop_pane, make.emitting(make.textured("glass-shop", Pattern::shop, white, 0.05f), {0.42f, 0.38f, 0.32f}));
+    set(Surface::shop_pane,
+        make.emitting(make.textured("glass-shop", Pattern::shop, white, 0.05f), {0.42f, 0.38f, 0.32f}));
     set(Surface::roof, make.textured("roof-tiles", Pattern::gravel, white, 0.9f));
     set(Surface::plain, make.textured("party-wall", Pattern::plaster, srgb(0.78f, 0.72f, 0.64f), 0.95f));
     set(Surface::car_glass, make.plain("car-glass", srgb(0.10f, 0.12f, 0.13f), 0.05f));
     set(Surface::rubber, make.plain("rubber", srgb(0.13f, 0.13f, 0.13f), 0.8f));
     set(Surface::metal, make.plain("metal", srgb(0.78f, 0.78f, 0.80f), 0.3f, 1.0f));
-    set(Surface::head_lamp, make.emitting(make.plain("head-lamp", srgb(0.90f, 0.92f, 0.95f), 0.1f), glm::vec3{0.25f}));
+    set(Surface::head_lamp,
+        make.emitting(make.plain("head-lamp", srgb(0.90f, 0.92f, 0.95f), 0.1f), glm::vec3{0.25f}));
     set(Surface::tail_lamp, make.plain("tail-lamp", srgb(0.62f, 0.07f, 0.06f), 0.15f));
     set(Surface::cloth, make.textured("cloth", Pattern::cloth, white, 0.85f));
     set(Surface::skin, make.plain("skin", white, 0.55f));
@@ -133,14 +149,14 @@ void make_things(Maker& make, Scheme& to) {
 
 void make_buildings(Maker& make, Palette& palette) {
     constexpr std::array<std::array<float, 3>, 9> k_plasters{{{0.90f, 0.74f, 0.48f},    // ochre
-                                                               {0.94f, 0.87f, 0.72f},    // cream
-                                                               {0.90f, 0.74f, 0.66f},    // pale rose
-                                                               {0.74f, 0.77f, 0.68f},    // grey-green
-                                                               {0.81f, 0.56f, 0.43f},    // terracotta
-                                                               {0.92f, 0.90f, 0.85f},    // chalk
-                                                               {0.87f, 0.79f, 0.66f},    // sand
-                                                               {0.76f, 0.74f, 0.71f},    // stone grey
-                                                               {0.70f, 0.75f, 0.78f}}};  // faded blue
+                                                              {0.94f, 0.87f, 0.72f},    // cream
+                                                              {0.90f, 0.74f, 0.66f},    // pale rose
+                                                              {0.74f, 0.77f, 0.68f},    // grey-green
+                                                              {0.81f, 0.56f, 0.43f},    // terracotta
+                                                              {0.92f, 0.90f, 0.85f},    // chalk
+                                                              {0.87f, 0.79f, 0.66f},    // sand
+                                                              {0.76f, 0.74f, 0.71f},    // stone grey
+                                                              {0.70f, 0.75f, 0.78f}}};  // faded blue
     for (std::size_t i = 0; i < k_plasters.size(); ++i) {
         const auto& c = k_plasters[i];
         palette.plasters[i] =
@@ -160,9 +176,10 @@ void make_buildings(Maker& make, Palette& palette) {
     palette.doors = {make.textured("door-brown", Pattern::door, srgb(0.46f, 0.29f, 0.18f), 0.45f),
                      make.textured("door-green", Pattern::door, srgb(0.17f, 0.32f, 0.25f), 0.45f),
                      make.textured("door-red", Pattern::door, srgb(0.46f, 0.15f, 0.12f), 0.45f)};
-    palette.shop_frames = {make.textured("shop-frame-walnut", Pattern::timber, srgb(0.50f, 0.34f, 0.22f), 0.5f),
-                           make.textured("shop-frame-green", Pattern::timber, srgb(0.20f, 0.33f, 0.27f), 0.45f),
-                           make.textured("shop-frame-chalk", Pattern::timber, srgb(0.86f, 0.84f, 0.78f), 0.5f)};
+    palette.shop_frames = {
+        make.textured("shop-frame-walnut", Pattern::timber, srgb(0.50f, 0.34f, 0.22f), 0.5f),
+        make.textured("shop-frame-green", Pattern::timber, srgb(0.20f, 0.33f, 0.27f), 0.45f),
+        make.textured("shop-frame-chalk", Pattern::timber, srgb(0.86f, 0.84f, 0.78f), 0.5f)};
     palette.awnings = {
         make.both_sides(make.textured("awning-striped", Pattern::fabric, glm::vec4{1.0f}, 0.9f)),
         make.both_sides(make.textured("awning-green", Pattern::stucco, srgb(0.24f, 0.42f, 0.30f), 0.9f)),
@@ -203,7 +220,9 @@ Palette add_palette(Scene& scene, std::uint64_t seed) {
 
 Scheme building_scheme(const Palette& palette, Draws& draws, bool brick) {
     Scheme scheme = palette.standard;
-    const auto set = [&](Surface surface, std::uint32_t material) { scheme[static_cast<std::size_t>(surface)] = material; };
+    const auto set = [&](Surface surface, std::uint32_t material) {
+        scheme[static_cast<std::size_t>(surface)] = material;
+    };
     const auto one_of = [&](const auto& choices) {
         return choices[draws.below(static_cast<std::uint32_t>(choices.size()))];
     };
@@ -228,7 +247,8 @@ std::vector<StoredPart> store(Scene& scene, std::vector<Builder::Part> parts) {
     return stored;
 }
 
-std::uint32_t add_model(Scene& scene, const std::string& name, const std::vector<StoredPart>& parts, const Scheme& scheme) {
+std::uint32_t add_model(Scene& scene, const std::string& name, const std::vector<StoredPart>& parts,
+                        const Scheme& scheme) {
     Model model{name, {}};
     for (const StoredPart& part : parts)
         model.parts.push_back({part.mesh, scheme[static_cast<std::size_t>(part.surface)]});

@@ -43,6 +43,7 @@ struct StoredPart {
 [[nodiscard]] std::vector<StoredPart> store(Scene& scene, std::vector<Builder::Part> parts);
 
 /// Adds a model that shows stored parts in the materials of a scheme; returns its index.
-std::uint32_t add_model(Scene& scene, const std::string& name, const std::vector<StoredPart>& parts, const Scheme& scheme);
+std::uint32_t add_model(Scene& scene, const std::string& name, const std::vector<StoredPart>& parts,
+                        const Scheme& scheme);
 
 }  // namespace rambla::assets::generate

@@ -15,7 +15,8 @@ constexpr int k_leg_sides = 8;
 constexpr int k_trunk_sides = 10;
 constexpr int k_head_sides = 10;
 
-/// Joint heights as shares of a person's height, after common tables of body proportions (Drillis and Contini 1966).
+/// Joint heights as shares of a person's height, after common tables of body proportions (Drillis and Contini
+/// 1966).
 constexpr float k_hip = 0.525f;
 constexpr float k_knee = 0.285f;
 constexpr float k_ankle = 0.045f;
@@ -34,7 +35,11 @@ Ring ring(float y, float half_x, float half_z, float x = 0.0f, float z = 0.0f) {
 class Tailor {
 public:
     Tailor(Scene& scene, const Looks& looks, const Scheme& scheme)
-        : scene_{scene}, looks_{looks}, scheme_{scheme}, h_{looks.height_m}, g_{looks.height_m * looks.girth} {}
+        : scene_{scene},
+          looks_{looks},
+          scheme_{scheme},
+          h_{looks.height_m},
+          g_{looks.height_m * looks.girth} {}
 
     std::uint32_t sew() {
         const std::uint32_t walker = add("walker", k_none, glm::vec3{0.0f});
@@ -50,14 +55,16 @@ public:
             const std::uint32_t arm = add(left ? "arm_l" : "arm_r", torso,
                                           {side * shoulder, (k_shoulder - k_waist) * h_ - 0.018f * h_, 0.0f});
             show(arm, [&] { upper_arm(); });
-            const std::uint32_t forearm_node = add(left ? "forearm_l" : "forearm_r", arm, {side * 0.006f * h_, -k_upper_arm * h_, 0.0f});
+            const std::uint32_t forearm_node =
+                add(left ? "forearm_l" : "forearm_r", arm, {side * 0.006f * h_, -k_upper_arm * h_, 0.0f});
             show(forearm_node, [&] { forearm(); });
         }
         for (const bool left : {true, false}) {
             const float side = left ? -1.0f : 1.0f;
             const std::uint32_t leg = add(left ? "leg_l" : "leg_r", walker, {side * hip, k_hip * h_, 0.0f});
             show(leg, [&] { thigh(); });
-            const std::uint32_t shin_node = add(left ? "shin_l" : "shin_r", leg, {0.0f, -(k_hip - k_knee) * h_, 0.0f});
+            const std::uint32_t shin_node =
+                add(left ? "shin_l" : "shin_r", leg, {0.0f, -(k_hip - k_knee) * h_, 0.0f});
             show(shin_node, [&] { shin(); });
         }
         return walker;
@@ -86,29 +93,34 @@ private:
     void pelvis() {
         const float hip = (looks_.shoulders ? 0.094f : 0.101f) * g_;
         const float deep = 0.066f * g_;
-        const std::array<Ring, 5> rings{ring(0.470f * h_, 0.55f * hip, 0.6f * deep), ring(0.495f * h_, 0.92f * hip, 0.98f * deep),
-                                        ring(0.530f * h_, hip, 1.04f * deep), ring(0.570f * h_, 0.94f * hip, 0.96f * deep),
-                                        ring(0.615f * h_, 0.86f * hip, 0.88f * deep)};
+        const std::array<Ring, 5> rings{
+            ring(0.470f * h_, 0.55f * hip, 0.6f * deep), ring(0.495f * h_, 0.92f * hip, 0.98f * deep),
+            ring(0.530f * h_, hip, 1.04f * deep), ring(0.570f * h_, 0.94f * hip, 0.96f * deep),
+            ring(0.615f * h_, 0.86f * hip, 0.88f * deep)};
         tube(Surface::cloth, looks_.bottom, rings, k_trunk_sides, Ends::first);
         if (!looks_.skirt) return;
-        const std::array<Ring, 4> skirt{ring(0.300f * h_, 1.62f * hip, 1.95f * deep), ring(0.42f * h_, 1.34f * hip, 1.5f * deep),
-                                        ring(0.53f * h_, 1.06f * hip, 1.12f * deep), ring(0.605f * h_, 0.88f * hip, 0.92f * deep)};
+        const std::array<Ring, 4> skirt{
+            ring(0.300f * h_, 1.62f * hip, 1.95f * deep), ring(0.42f * h_, 1.34f * hip, 1.5f * deep),
+            ring(0.53f * h_, 1.06f * hip, 1.12f * deep), ring(0.605f * h_, 0.88f * hip, 0.92f * deep)};
         tube(Surface::cloth, looks_.bottom, skirt, 14, Ends::first);
     }
 
     void trunk() {
         const float broad = looks_.shoulders ? 1.0f : 0.90f;
-        const auto at = [&](float share) { return (share - k_waist) * h_; };
+        const auto at = [&](float share) {
+            return (share - k_waist) * h_;
+        };
         const float hem = looks_.skirt ? 0.585f : 0.555f;
-        const std::array<Ring, 9> rings{ring(at(hem), 0.093f * g_, 0.067f * g_),
-                                        ring(at(0.590f), 0.087f * g_, 0.063f * g_),
-                                        ring(at(0.640f), 0.086f * broad * g_, 0.062f * g_),
-                                        ring(at(0.700f), 0.098f * broad * g_, 0.070f * g_, 0.0f, -0.004f * h_),
-                                        ring(at(0.755f), 0.107f * broad * g_, 0.071f * g_, 0.0f, -0.004f * h_),
-                                        ring(at(0.795f), 0.112f * broad * g_, 0.062f * g_),
-                                        ring(at(0.822f), 0.094f * broad * g_, 0.048f * g_),
-                                        ring(at(0.838f), 0.060f * g_, 0.038f * g_),
-                                        ring(at(0.848f), 0.036f * g_, 0.034f * g_)};
+        const std::array<Ring, 9> rings{
+            ring(at(hem), 0.093f * g_, 0.067f * g_),
+            ring(at(0.590f), 0.087f * g_, 0.063f * g_),
+            ring(at(0.640f), 0.086f * broad * g_, 0.062f * g_),
+            ring(at(0.700f), 0.098f * broad * g_, 0.070f * g_, 0.0f, -0.004f * h_),
+            ring(at(0.755f), 0.107f * broad * g_, 0.071f * g_, 0.0f, -0.004f * h_),
+            ring(at(0.795f), 0.112f * broad * g_, 0.062f * g_),
+            ring(at(0.822f), 0.094f * broad * g_, 0.048f * g_),
+            ring(at(0.838f), 0.060f * g_, 0.038f * g_),
+            ring(at(0.848f), 0.036f * g_, 0.034f * g_)};
         tube(Surface::cloth, looks_.top, rings, k_trunk_sides, Ends::first);
         if (!looks_.bag) return;
         builder_.colour = {looks_.extra, 1.0f};
@@ -133,24 +145,28 @@ private:
                                         ring(0.155f * h_, 0.004f * h_, 0.005f * h_)};
         tube(Surface::skin, looks_.skin, rings, k_head_sides, Ends::last);
         const float front = -0.0575f * h_;
-        const std::array<Ring, 3> nose{ring(0.066f * h_, 0.0085f * h_, 0.013f * h_, 0.0f, front),
-                                       ring(0.072f * h_, 0.0075f * h_, 0.012f * h_, 0.0f, front),
-                                       ring(0.094f * h_, 0.004f * h_, 0.004f * h_, 0.0f, front + 0.003f * h_)};
+        const std::array<Ring, 3> nose{
+            ring(0.066f * h_, 0.0085f * h_, 0.013f * h_, 0.0f, front),
+            ring(0.072f * h_, 0.0075f * h_, 0.012f * h_, 0.0f, front),
+            ring(0.094f * h_, 0.004f * h_, 0.004f * h_, 0.0f, front + 0.003f * h_)};
         tube(Surface::skin, looks_.skin, nose, 5, Ends::first);
         const glm::vec3 dark = 0.25f * looks_.hair + glm::vec3{0.012f};
         for (const float side : {-1.0f, 1.0f}) {
-            const std::array<Ring, 2> eye{ring(0.088f * h_, 0.0075f * h_, 0.006f * h_, side * 0.018f * h_, front + 0.006f * h_),
-                                          ring(0.094f * h_, 0.0075f * h_, 0.006f * h_, side * 0.018f * h_, front + 0.006f * h_)};
+            const std::array<Ring, 2> eye{
+                ring(0.088f * h_, 0.0075f * h_, 0.006f * h_, side * 0.018f * h_, front + 0.006f * h_),
+                ring(0.094f * h_, 0.0075f * h_, 0.006f * h_, side * 0.018f * h_, front + 0.006f * h_)};
             tube(Surface::skin, dark, eye, 5, Ends::both);
-            const std::array<Ring, 2> ear{ring(0.068f * h_, 0.004f * h_, 0.009f * h_, side * 0.045f * h_, 0.004f * h_),
-                                          ring(0.096f * h_, 0.006f * h_, 0.012f * h_, side * 0.046f * h_, 0.006f * h_)};
+            const std::array<Ring, 2> ear{
+                ring(0.068f * h_, 0.004f * h_, 0.009f * h_, side * 0.045f * h_, 0.004f * h_),
+                ring(0.096f * h_, 0.006f * h_, 0.012f * h_, side * 0.046f * h_, 0.006f * h_)};
             tube(Surface::skin, looks_.skin, ear, 5, Ends::both);
         }
         hair();
         if (looks_.hat) {
-            const std::array<Ring, 6> hat{ring(0.122f * h_, 0.085f * h_, 0.095f * h_), ring(0.126f * h_, 0.086f * h_, 0.096f * h_),
-                                          ring(0.128f * h_, 0.050f * h_, 0.061f * h_), ring(0.165f * h_, 0.046f * h_, 0.056f * h_),
-                                          ring(0.176f * h_, 0.034f * h_, 0.042f * h_), ring(0.178f * h_, 0.004f * h_, 0.005f * h_)};
+            const std::array<Ring, 6> hat{
+                ring(0.122f * h_, 0.085f * h_, 0.095f * h_), ring(0.126f * h_, 0.086f * h_, 0.096f * h_),
+                ring(0.128f * h_, 0.050f * h_, 0.061f * h_), ring(0.165f * h_, 0.046f * h_, 0.056f * h_),
+                ring(0.176f * h_, 0.034f * h_, 0.042f * h_), ring(0.178f * h_, 0.004f * h_, 0.005f * h_)};
             tube(Surface::cloth, looks_.extra, hat, 12, Ends::both);
         }
     }
@@ -178,32 +194,37 @@ private:
 
     void upper_arm() {
         const float l = k_upper_arm * h_;
-        const std::array<Ring, 5> sleeve{ring(-0.62f * l, 0.030f * g_, 0.031f * g_), ring(-0.30f * l, 0.032f * g_, 0.034f * g_),
-                                         ring(0.0f, 0.028f * g_, 0.033f * g_), ring(0.09f * l, 0.019f * g_, 0.025f * g_),
-                                         ring(0.13f * l, 0.006f * g_, 0.008f * g_)};
+        const std::array<Ring, 5> sleeve{
+            ring(-0.62f * l, 0.030f * g_, 0.031f * g_), ring(-0.30f * l, 0.032f * g_, 0.034f * g_),
+            ring(0.0f, 0.028f * g_, 0.033f * g_), ring(0.09f * l, 0.019f * g_, 0.025f * g_),
+            ring(0.13f * l, 0.006f * g_, 0.008f * g_)};
         tube(Surface::cloth, looks_.top, sleeve, k_arm_sides, Ends::both);
-        const std::array<Ring, 4> arm{ring(-1.06f * l, 0.020f * g_, 0.021f * g_), ring(-0.98f * l, 0.0225f * g_, 0.024f * g_),
-                                      ring(-0.62f * l, 0.025f * g_, 0.027f * g_), ring(-0.40f * l, 0.025f * g_, 0.027f * g_)};
+        const std::array<Ring, 4> arm{
+            ring(-1.06f * l, 0.020f * g_, 0.021f * g_), ring(-0.98f * l, 0.0225f * g_, 0.024f * g_),
+            ring(-0.62f * l, 0.025f * g_, 0.027f * g_), ring(-0.40f * l, 0.025f * g_, 0.027f * g_)};
         limb(looks_.bare_arms, looks_.top, arm, k_arm_sides, Ends::open);
     }
 
     void forearm() {
         const float l = k_forearm * h_;
-        const std::array<Ring, 4> arm{ring(-1.0f * l, 0.0145f * g_, 0.016f * g_), ring(-0.35f * l, 0.023f * g_, 0.024f * g_), ring(0.0f, 0.0225f * g_, 0.0235f * g_),
-                                      ring(0.07f * l, 0.018f * g_, 0.019f * g_)};
+        const std::array<Ring, 4> arm{
+            ring(-1.0f * l, 0.0145f * g_, 0.016f * g_), ring(-0.35f * l, 0.023f * g_, 0.024f * g_),
+            ring(0.0f, 0.0225f * g_, 0.0235f * g_), ring(0.07f * l, 0.018f * g_, 0.019f * g_)};
         limb(looks_.bare_arms, looks_.top, arm, k_arm_sides, Ends::first);
-        const std::array<Ring, 4> hand{ring(-1.0f * l - 0.098f * h_, 0.006f * h_, 0.010f * h_, 0.0f, -0.004f * h_),
-                                       ring(-1.0f * l - 0.070f * h_, 0.011f * h_, 0.022f * h_, 0.0f, -0.004f * h_),
-                                       ring(-1.0f * l - 0.030f * h_, 0.013f * h_, 0.023f * h_, 0.0f, -0.003f * h_),
-                                       ring(-1.0f * l + 0.010f * h_, 0.013f * h_, 0.015f * h_)};
+        const std::array<Ring, 4> hand{
+            ring(-1.0f * l - 0.098f * h_, 0.006f * h_, 0.010f * h_, 0.0f, -0.004f * h_),
+            ring(-1.0f * l - 0.070f * h_, 0.011f * h_, 0.022f * h_, 0.0f, -0.004f * h_),
+            ring(-1.0f * l - 0.030f * h_, 0.013f * h_, 0.023f * h_, 0.0f, -0.003f * h_),
+            ring(-1.0f * l + 0.010f * h_, 0.013f * h_, 0.015f * h_)};
         tube(Surface::skin, looks_.skin, hand, k_arm_sides, Ends::first);
     }
 
     void thigh() {
         const float l = (k_hip - k_knee) * h_;
-        const std::array<Ring, 5> rings{ring(-1.05f * l, 0.031f * g_, 0.034f * g_), ring(-0.95f * l, 0.034f * g_, 0.037f * g_),
-                                        ring(-0.45f * l, 0.044f * g_, 0.050f * g_), ring(-0.05f * l, 0.050f * g_, 0.060f * g_),
-                                        ring(0.10f * l, 0.040f * g_, 0.050f * g_)};
+        const std::array<Ring, 5> rings{
+            ring(-1.05f * l, 0.031f * g_, 0.034f * g_), ring(-0.95f * l, 0.034f * g_, 0.037f * g_),
+            ring(-0.45f * l, 0.044f * g_, 0.050f * g_), ring(-0.05f * l, 0.050f * g_, 0.060f * g_),
+            ring(0.10f * l, 0.040f * g_, 0.050f * g_)};
         limb(looks_.bare_legs && looks_.skirt, looks_.bottom, rings, k_leg_sides, Ends::first);
     }
 
@@ -214,7 +235,8 @@ private:
                                         ring(-0.80f * l, 0.021f * loose * g_, 0.026f * loose * g_),
                                         ring(-0.45f * l, 0.029f * g_, 0.035f * g_, 0.0f, 0.006f * h_),
                                         ring(-0.20f * l, 0.032f * g_, 0.037f * g_, 0.0f, 0.005f * h_),
-                                        ring(0.0f, 0.033f * g_, 0.035f * g_), ring(0.06f * l, 0.027f * g_, 0.029f * g_)};
+                                        ring(0.0f, 0.033f * g_, 0.035f * g_),
+                                        ring(0.06f * l, 0.027f * g_, 0.029f * g_)};
         limb(looks_.bare_legs, looks_.bottom, rings, k_leg_sides, Ends::first);
         // The shoe runs forwards (−z) from the heel; its rings stand upright.
         const float sole = -(k_knee * h_);
@@ -222,9 +244,10 @@ private:
             const float middle = 0.5f * top;
             return Ring{{0.0f, sole + middle, z}, {half, 0.0f, 0.0f}, {0.0f, middle, 0.0f}};
         };
-        const std::array<Ring, 6> shoe{slice(-0.108f * h_, 0.012f * h_, 0.018f * h_), slice(-0.092f * h_, 0.026f * h_, 0.026f * h_),
-                                       slice(-0.050f * h_, 0.030f * h_, 0.036f * h_), slice(-0.010f * h_, 0.026f * h_, 0.058f * h_),
-                                       slice(0.026f * h_, 0.024f * h_, 0.062f * h_), slice(0.044f * h_, 0.014f * h_, 0.045f * h_)};
+        const std::array<Ring, 6> shoe{
+            slice(-0.108f * h_, 0.012f * h_, 0.018f * h_), slice(-0.092f * h_, 0.026f * h_, 0.026f * h_),
+            slice(-0.050f * h_, 0.030f * h_, 0.036f * h_), slice(-0.010f * h_, 0.026f * h_, 0.058f * h_),
+            slice(0.026f * h_, 0.024f * h_, 0.062f * h_),  slice(0.044f * h_, 0.014f * h_, 0.045f * h_)};
         tube(Surface::cloth, looks_.shoes, shoe, 7, Ends::both);
     }
 
@@ -241,23 +264,43 @@ private:
     Builder builder_;
 };
 
-constexpr std::array<glm::vec3, 5> k_skins{{{0.66f, 0.44f, 0.33f}, {0.58f, 0.38f, 0.27f}, {0.44f, 0.27f, 0.18f},
-                                            {0.24f, 0.14f, 0.09f}, {0.70f, 0.49f, 0.38f}}};
-constexpr std::array<glm::vec3, 6> k_hairs{{{0.020f, 0.014f, 0.010f}, {0.070f, 0.040f, 0.022f}, {0.16f, 0.095f, 0.045f},
-                                            {0.36f, 0.26f, 0.13f}, {0.34f, 0.33f, 0.32f}, {0.11f, 0.035f, 0.015f}}};
-constexpr std::array<glm::vec3, 10> k_tops{{{0.70f, 0.68f, 0.63f}, {0.46f, 0.07f, 0.06f}, {0.09f, 0.17f, 0.33f},
-                                            {0.58f, 0.42f, 0.12f}, {0.10f, 0.22f, 0.13f}, {0.30f, 0.40f, 0.52f},
-                                            {0.55f, 0.26f, 0.22f}, {0.06f, 0.06f, 0.07f}, {0.62f, 0.56f, 0.42f},
+constexpr std::array<glm::vec3, 5> k_skins{{{0.66f, 0.44f, 0.33f},
+                                            {0.58f, 0.38f, 0.27f},
+                                            {0.44f, 0.27f, 0.18f},
+                                            {0.24f, 0.14f, 0.09f},
+                                            {0.70f, 0.49f, 0.38f}}};
+constexpr std::array<glm::vec3, 6> k_hairs{{{0.020f, 0.014f, 0.010f},
+                                            {0.070f, 0.040f, 0.022f},
+                                            {0.16f, 0.095f, 0.045f},
+                                            {0.36f, 0.26f, 0.13f},
+                                            {0.34f, 0.33f, 0.32f},
+                                            {0.11f, 0.035f, 0.015f}}};
+constexpr std::array<glm::vec3, 10> k_tops{{{0.70f, 0.68f, 0.63f},
+                                            {0.46f, 0.07f, 0.06f},
+                                            {0.09f, 0.17f, 0.33f},
+                                            {0.58f, 0.42f, 0.12f},
+                                            {0.10f, 0.22f, 0.13f},
+                                            {0.30f, 0.40f, 0.52f},
+                                            {0.55f, 0.26f, 0.22f},
+                                            {0.06f, 0.06f, 0.07f},
+                                            {0.62f, 0.56f, 0.42f},
                                             {0.30f, 0.12f, 0.22f}}};
-constexpr std::array<glm::vec3, 7> k_bottoms{{{0.045f, 0.065f, 0.12f}, {0.05f, 0.05f, 0.055f}, {0.33f, 0.26f, 0.17f},
-                                              {0.12f, 0.16f, 0.24f}, {0.20f, 0.19f, 0.17f}, {0.42f, 0.40f, 0.35f},
+constexpr std::array<glm::vec3, 7> k_bottoms{{{0.045f, 0.065f, 0.12f},
+                                              {0.05f, 0.05f, 0.055f},
+                                              {0.33f, 0.26f, 0.17f},
+                                              {0.12f, 0.16f, 0.24f},
+                                              {0.20f, 0.19f, 0.17f},
+                                              {0.42f, 0.40f, 0.35f},
                                               {0.14f, 0.09f, 0.06f}}};
-constexpr std::array<glm::vec3, 4> k_shoes{{{0.03f, 0.03f, 0.03f}, {0.14f, 0.075f, 0.04f}, {0.60f, 0.59f, 0.56f}, {0.20f, 0.19f, 0.19f}}};
+constexpr std::array<glm::vec3, 4> k_shoes{
+    {{0.03f, 0.03f, 0.03f}, {0.14f, 0.075f, 0.04f}, {0.60f, 0.59f, 0.56f}, {0.20f, 0.19f, 0.19f}}};
 
 }  // namespace
 
 Looks draw_looks(std::uint32_t number, Draws& draws) {
-    const auto one_of = [&](const auto& choices) { return choices[draws.below(static_cast<std::uint32_t>(choices.size()))]; };
+    const auto one_of = [&](const auto& choices) {
+        return choices[draws.below(static_cast<std::uint32_t>(choices.size()))];
+    };
     Looks looks;
     const bool woman = (number & 1u) != 0;
     looks.shoulders = !woman;

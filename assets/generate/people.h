@@ -10,8 +10,8 @@ namespace rambla::assets::generate {
 /// What tells people apart. Colours are linear albedo.
 struct Looks {
     float height_m = 1.72f;
-    float girth = 1.0f;      ///< of trunk and limbs, relative
-    bool shoulders = true;   ///< broader shoulders, narrower hips
+    float girth = 1.0f;     ///< of trunk and limbs, relative
+    bool shoulders = true;  ///< broader shoulders, narrower hips
     bool skirt = false;
     bool long_hair = false;
     bool hat = false;
@@ -29,9 +29,9 @@ struct Looks {
 /// Looks of the n-th prototype: bodies differ by n, colours by the draws.
 [[nodiscard]] Looks draw_looks(std::uint32_t number, Draws& draws);
 
-/// Adds a person to the scene who stands upright on y = 0 and faces −z: node `walker` with children `torso` (with
-/// `head`, `arm_l` → `forearm_l`, …) and `leg_l` → `shin_l`, …. Node origins are the joints: a turn about x swings
-/// the limb. It is no root. Returns the node.
+/// Adds a person to the scene who stands upright on y = 0 and faces −z: node `walker` with children `torso`
+/// (with `head`, `arm_l` → `forearm_l`, …) and `leg_l` → `shin_l`, …. Node origins are the joints: a turn
+/// about x swings the limb. It is no root. Returns the node.
 std::uint32_t add_person(Scene& scene, const Looks& looks, const Scheme& scheme);
 
 }  // namespace rambla::assets::generate

@@ -13,19 +13,22 @@ namespace rambla::assets {
 namespace {
 
 [[noreturn]] void refuse(std::string_view spec, std::string_view part, const std::string& expected) {
-    throw std::invalid_argument("scene \"" + std::string{spec} + "\": \"" + std::string{part} + "\": " + expected);
+    throw std::invalid_argument("scene \"" + std::string{spec} + "\": \"" + std::string{part} +
+                                "\": " + expected);
 }
 
 std::string number_text(double value) {
     std::string text = std::to_string(value);
-    while (text.back() == '0') text.pop_back();
+    while (text.back() == '0')
+        text.pop_back();
     if (text.back() == '.') text.pop_back();
     return text;
 }
 
 std::string parameter_names() {
     std::string names = "blocks";
-    for (const Parameter<CityParameters>& parameter : k_city_parameters) names += ", " + std::string{parameter.name};
+    for (const Parameter<CityParameters>& parameter : k_city_parameters)
+        names += ", " + std::string{parameter.name};
     return names;
 }
 
@@ -39,8 +42,9 @@ void assign(CityParameters& city, std::string_view spec, std::string_view part, 
         const bool read = error == std::errc{} && end == text.data() + text.size();
         if (!read || !(value >= parameter.minimum && value <= parameter.maximum) || !whole)
             refuse(spec, part,
-                   "expected a " + std::string{parameter.kind == ParameterKind::integer ? "whole " : ""} + "number from " +
-                       number_text(parameter.minimum) + " to " + number_text(parameter.maximum));
+                   "expected a " + std::string{parameter.kind == ParameterKind::integer ? "whole " : ""} +
+                       "number from " + number_text(parameter.minimum) + " to " +
+                       number_text(parameter.maximum));
         parameter.set(city, value);
         return;
     }
@@ -53,12 +57,14 @@ CityParameters parse_city(std::string_view spec, std::string_view list) {
         const std::string_view part = list.substr(0, list.find(','));
         list.remove_prefix(std::min(list.size(), part.size() + 1));
         const std::size_t equals = part.find('=');
-        if (equals == std::string_view::npos) refuse(spec, part, "expected name=value; names: " + parameter_names());
+        if (equals == std::string_view::npos)
+            refuse(spec, part, "expected name=value; names: " + parameter_names());
         const std::string_view name = part.substr(0, equals);
         const std::string_view value = part.substr(equals + 1);
         if (name == "blocks") {
             const std::size_t times = value.find('x');
-            if (times == std::string_view::npos) refuse(spec, part, "expected two counts of blocks, such as blocks=4x2");
+            if (times == std::string_view::npos)
+                refuse(spec, part, "expected two counts of blocks, such as blocks=4x2");
             assign(city, spec, part, "blocks-x", value.substr(0, times));
             assign(city, spec, part, "blocks-z", value.substr(times + 1));
         } else {
@@ -74,8 +80,10 @@ Place generate_place(std::string_view spec, std::uint64_t seed) {
     const std::string_view name = spec.substr(0, spec.find(':'));
     if (name != "city" && name != "street") refuse(spec, name, "unknown scene; known: city, street");
     const bool parameters = name.size() < spec.size();
-    if (parameters && name.size() + 1 == spec.size()) refuse(spec, spec, "expected parameters after the colon");
-    return generate_city(parse_city(spec, parameters ? spec.substr(name.size() + 1) : std::string_view{}), seed);
+    if (parameters && name.size() + 1 == spec.size())
+        refuse(spec, spec, "expected parameters after the colon");
+    return generate_city(parse_city(spec, parameters ? spec.substr(name.size() + 1) : std::string_view{}),
+                         seed);
 }
 
 }  // namespace rambla::assets

@@ -9,7 +9,9 @@ void Builder::sheet(std::span<const glm::vec3> points, std::size_t columns, std:
     const std::size_t rows = points.size() / columns;
     const std::size_t cell_columns = columns - 1;
     const std::size_t cell_rows = rows - 1;
-    const auto point = [&](std::size_t r, std::size_t c) { return points[r * columns + c]; };
+    const auto point = [&](std::size_t r, std::size_t c) {
+        return points[r * columns + c];
+    };
 
     // Area-weighted cell normals; where neighbours bend less than the crease, a corner averages them.
     std::vector<glm::vec3> cells(cell_rows * cell_columns);
@@ -34,9 +36,11 @@ void Builder::sheet(std::span<const glm::vec3> points, std::size_t columns, std:
         for (std::size_t c = 0; c < cell_columns; ++c) {
             if (glm::length(cells[r * cell_columns + c]) < 1e-8f) continue;
             const Surface surface = surfaces[r * cell_columns + c];
-            const std::array<glm::vec3, 4> corners{point(r, c), point(r, c + 1), point(r + 1, c + 1), point(r + 1, c)};
+            const std::array<glm::vec3, 4> corners{point(r, c), point(r, c + 1), point(r + 1, c + 1),
+                                                   point(r + 1, c)};
             const std::array<glm::vec3, 4> normals{corner_normal(r, c, r, c), corner_normal(r, c, r, c + 1),
-                                                   corner_normal(r, c, r + 1, c + 1), corner_normal(r, c, r + 1, c)};
+                                                   corner_normal(r, c, r + 1, c + 1),
+                                                   corner_normal(r, c, r + 1, c)};
             const float scale = 1.0f / (stretch * metres_per_repeat(surface));
             const glm::vec3 across = corners[1] - corners[0];
             const glm::vec3 u = glm::length(across) > 1e-6f ? across : corners[2] - corners[3];

@@ -17,7 +17,8 @@ void build_awning(Builder& b, const Opening& o) {
     const float x0 = o.min.x - 0.12f;
     const float x1 = o.max.x + 0.12f;
     b.face(Surface::awning, {x0, low, k_reach}, {x1, low, k_reach}, {x1, high, 0.06f}, {x0, high, 0.06f});
-    b.face(Surface::awning, {x0, low - 0.20f, k_reach}, {x1, low - 0.20f, k_reach}, {x1, low, k_reach}, {x0, low, k_reach});
+    b.face(Surface::awning, {x0, low - 0.20f, k_reach}, {x1, low - 0.20f, k_reach}, {x1, low, k_reach},
+           {x0, low, k_reach});
     b.box(Surface::iron, {x0, low - 0.03f, k_reach - 0.05f}, {x1, low, k_reach - 0.02f});
     for (const float x : {x0 + 0.03f, x1 - 0.06f})
         b.face(Surface::iron, {x, low - 0.02f, k_reach - 0.04f}, {x + 0.03f, low - 0.02f, k_reach - 0.04f},
@@ -35,8 +36,9 @@ void build_sign(Builder& b, const Opening& o, std::uint32_t cell) {
     const float v = static_cast<float>(cell) * row;
     // Narrow boards show the middle of the picture, in its own proportions.
     const float share = std::min(1.0f, 2.0f * half / 3.2f);
-    b.picture(Surface::sign, {centre - half, bottom, k_out}, {centre + half, bottom, k_out}, {centre + half, top, k_out},
-              {centre - half, top, k_out}, {0.5f - 0.5f * share, v + 0.99f * row}, {0.5f + 0.5f * share, v + 0.01f * row});
+    b.picture(Surface::sign, {centre - half, bottom, k_out}, {centre + half, bottom, k_out},
+              {centre + half, top, k_out}, {centre - half, top, k_out},
+              {0.5f - 0.5f * share, v + 0.99f * row}, {0.5f + 0.5f * share, v + 0.01f * row});
     b.box(Surface::iron, {centre - half, bottom, 0.0f}, {centre + half, top, k_out},
           k_all_sides & ~(k_side_back | k_side_front));
 }
@@ -47,8 +49,8 @@ void build_door(Builder& b, const Opening& o) {
     constexpr float k_leaf_top = 2.45f;
     const float z = -k_reveal_m;
     const float top = std::min(k_leaf_top, o.max.y - 0.3f);
-    b.picture(Surface::door, {o.min.x, o.min.y, z}, {o.max.x, o.min.y, z}, {o.max.x, top, z}, {o.min.x, top, z},
-              {0.0f, 1.0f}, {1.0f, 0.0f});
+    b.picture(Surface::door, {o.min.x, o.min.y, z}, {o.max.x, o.min.y, z}, {o.max.x, top, z},
+              {o.min.x, top, z}, {0.0f, 1.0f}, {1.0f, 0.0f});
     b.box(Surface::frame, {o.min.x, top, z}, {o.max.x, top + 0.10f, z + 0.06f}, k_all_sides & ~k_side_back);
     // Fanlight behind an iron grille.
     b.picture(Surface::pane, {o.min.x, top + 0.10f, z}, {o.max.x, top + 0.10f, z}, {o.max.x, o.max.y, z},
@@ -56,9 +58,11 @@ void build_door(Builder& b, const Opening& o) {
     b.picture(Surface::railing, {o.min.x, top + 0.10f, z + 0.05f}, {o.max.x, top + 0.10f, z + 0.05f},
               {o.max.x, o.max.y, z + 0.05f}, {o.min.x, o.max.y, z + 0.05f}, {0.0f, 0.6f}, {1.22f, 0.16f});
     // Step of stone and a knob.
-    b.box(Surface::kerb, {o.min.x, -0.1f, z}, {o.max.x, 0.06f, 0.12f}, k_all_sides & ~(k_side_back | k_side_bottom));
+    b.box(Surface::kerb, {o.min.x, -0.1f, z}, {o.max.x, 0.06f, 0.12f},
+          k_all_sides & ~(k_side_back | k_side_bottom));
     const float knob = 0.5f * (o.min.x + o.max.x) + 0.09f;
-    b.box(Surface::metal, {knob - 0.02f, 1.02f, z}, {knob + 0.02f, 1.14f, z + 0.05f}, k_all_sides & ~k_side_back);
+    b.box(Surface::metal, {knob - 0.02f, 1.02f, z}, {knob + 0.02f, 1.14f, z + 0.05f},
+          k_all_sides & ~k_side_back);
 }
 
 FacadeLight build_shop_front(Builder& b, const Opening& o, Draws& draws) {
@@ -78,8 +82,8 @@ FacadeLight build_shop_front(Builder& b, const Opening& o, Draws& draws) {
     const std::uint32_t cell = k_goods[trade];
     const float u0 = (static_cast<float>(cell) + 0.01f) / static_cast<float>(k_shop_cells);
     const float u1 = (static_cast<float>(cell) + 0.99f) / static_cast<float>(k_shop_cells);
-    b.picture(Surface::shop_pane, {o.min.x, 0.0f, z}, {o.max.x, 0.0f, z}, {o.max.x, o.max.y, z}, {o.min.x, o.max.y, z},
-              {u0, 0.99f}, {u1, 0.01f});
+    b.picture(Surface::shop_pane, {o.min.x, 0.0f, z}, {o.max.x, 0.0f, z}, {o.max.x, o.max.y, z},
+              {o.min.x, o.max.y, z}, {u0, 0.99f}, {u1, 0.01f});
     for (const float x : {o.min.x, split - 0.5f * k_bar, o.max.x - k_bar})
         b.box(Surface::shop_frame, {x, 0.0f, z}, {x + k_bar, o.max.y, front + 0.02f}, no_back);
     for (const float y : {o.max.y - 0.55f, o.max.y - 0.08f})
@@ -95,10 +99,11 @@ FacadeLight build_shop_front(Builder& b, const Opening& o, Draws& draws) {
     const float centre = 0.5f * (o.min.x + o.max.x);
     if (awning) return {{centre, o.max.y - 0.35f, 0.45f}, false};
     // A lamp on an arm over the entrance.
-    b.box(Surface::iron, {centre - 0.02f, o.max.y + 0.72f, 0.0f}, {centre + 0.02f, o.max.y + 0.76f, 0.50f}, no_back);
+    b.box(Surface::iron, {centre - 0.02f, o.max.y + 0.72f, 0.0f}, {centre + 0.02f, o.max.y + 0.76f, 0.50f},
+          no_back);
     b.box(Surface::iron, {centre - 0.09f, o.max.y + 0.66f, 0.38f}, {centre + 0.09f, o.max.y + 0.72f, 0.60f});
-    b.box(Surface::lantern, {centre - 0.07f, o.max.y + 0.62f, 0.41f}, {centre + 0.07f, o.max.y + 0.66f, 0.57f},
-          k_all_sides & ~k_side_top);
+    b.box(Surface::lantern, {centre - 0.07f, o.max.y + 0.62f, 0.41f},
+          {centre + 0.07f, o.max.y + 0.66f, 0.57f}, k_all_sides & ~k_side_top);
     return {{centre, o.max.y + 0.56f, 0.49f}, true};
 }
 

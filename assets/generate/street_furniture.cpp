@@ -14,27 +14,39 @@ namespace {
 using Thing = StreetThings::Thing;
 
 constexpr std::array<const char*, StreetThings::k_things> k_names{
-    "tree", "tree", "tree", "tree-pit", "lamp-post", "wall-lantern", "bench", "bollard", "litter-bin", "manhole", "drain",
-    "crossing"};
+    "tree",  "tree",    "tree",       "tree-pit", "lamp-post", "wall-lantern",
+    "bench", "bollard", "litter-bin", "manhole",  "drain",     "crossing"};
 
 void build(Builder& builder, Thing thing, const StreetPlan& plan, Draws draws) {
     switch (thing) {
         case Thing::tree_a:
         case Thing::tree_b:
-        case Thing::tree_c: return build_tree(builder, draws);
-        case Thing::tree_pit: return build_tree_pit(builder);
-        case Thing::lamp_post: return build_lamp_post(builder);
-        case Thing::wall_lantern: return build_wall_lantern(builder);
-        case Thing::bench: return build_bench(builder);
-        case Thing::bollard: return build_bollard(builder);
-        case Thing::litter_bin: return build_litter_bin(builder);
-        case Thing::manhole: return build_manhole(builder);
-        case Thing::drain: return build_drain(builder);
-        case Thing::crossing: return build_crossing(builder, plan);
+        case Thing::tree_c:
+            return build_tree(builder, draws);
+        case Thing::tree_pit:
+            return build_tree_pit(builder);
+        case Thing::lamp_post:
+            return build_lamp_post(builder);
+        case Thing::wall_lantern:
+            return build_wall_lantern(builder);
+        case Thing::bench:
+            return build_bench(builder);
+        case Thing::bollard:
+            return build_bollard(builder);
+        case Thing::litter_bin:
+            return build_litter_bin(builder);
+        case Thing::manhole:
+            return build_manhole(builder);
+        case Thing::drain:
+            return build_drain(builder);
+        case Thing::crossing:
+            return build_crossing(builder, plan);
     }
 }
 
-Frame within(const Frame& at, float x, float z, float angle_rad = 0.0f) { return at * turned({x, 0.0f, z}, angle_rad); }
+Frame within(const Frame& at, float x, float z, float angle_rad = 0.0f) {
+    return at * turned({x, 0.0f, z}, angle_rad);
+}
 
 /// Trees need this much pavement, or their crowns grow into the façade and their pits close the way.
 constexpr float k_tree_pavement_m = 2.0f;
@@ -84,7 +96,8 @@ void StreetThings::furnish_side(const Frame& at, float length, bool trees, Draws
                 add(Thing::lamp_post, within(at, between, z + 0.12f));
         }
     } else {
-        for (const float share : {-0.33f, 0.0f, 0.33f}) add(Thing::lamp_post, within(at, share * free, z + 0.12f));
+        for (const float share : {-0.33f, 0.0f, 0.33f})
+            add(Thing::lamp_post, within(at, share * free, z + 0.12f));
         if (draws.chance(0.5f)) add(Thing::litter_bin, within(at, 0.18f * free, z + 0.05f));
     }
     const float gutter = plan_.pavement_m() + 0.14f;
@@ -95,7 +108,8 @@ void StreetThings::furnish_side(const Frame& at, float length, bool trees, Draws
         add(Thing::drain, drain);
     }
     if (draws.chance(0.6f)) {
-        Frame manhole = within(at, draws.between(-0.3f, 0.3f) * length, plan_.pavement_m() + draws.between(1.2f, 1.8f));
+        Frame manhole =
+            within(at, draws.between(-0.3f, 0.3f) * length, plan_.pavement_m() + draws.between(1.2f, 1.8f));
         manhole.origin_m.y -= k_kerb_height_m;
         add(Thing::manhole, manhole);
     }
@@ -103,7 +117,8 @@ void StreetThings::furnish_side(const Frame& at, float length, bool trees, Draws
 
 void StreetThings::furnish_corner(const Frame& at) {
     const float z = plan_.pavement_m() - 0.33f;
-    for (const float x : {-2.7f, -0.9f, 0.9f, 2.7f}) add(Thing::bollard, within(at, x, z));
+    for (const float x : {-2.7f, -0.9f, 0.9f, 2.7f})
+        add(Thing::bollard, within(at, x, z));
 }
 
 }  // namespace rambla::assets::generate

@@ -14,14 +14,25 @@ public:
     StreetThings(Scene& scene, const Palette& palette, const StreetPlan& plan, std::uint64_t seed);
 
     enum class Thing : std::uint8_t {
-        tree_a, tree_b, tree_c, tree_pit, lamp_post, wall_lantern, bench, bollard, litter_bin, manhole, drain, crossing
+        tree_a,
+        tree_b,
+        tree_c,
+        tree_pit,
+        lamp_post,
+        wall_lantern,
+        bench,
+        bollard,
+        litter_bin,
+        manhole,
+        drain,
+        crossing
     };
     static constexpr std::size_t k_things = static_cast<std::size_t>(Thing::crossing) + 1;
 
     /// Adds one as a root of the scene, its foot at the frame's origin.
     void add(Thing thing, const Frame& at);
-    /// Furnishes one side of a block: the frame stands on the pavement at the middle of the side's façade line, its z
-    /// towards the street. Sides with trees have benches and bins, the others lamp posts.
+    /// Furnishes one side of a block: the frame stands on the pavement at the middle of the side's façade
+    /// line, its z towards the street. Sides with trees have benches and bins, the others lamp posts.
     void furnish_side(const Frame& at, float length_m, bool trees, Draws& draws);
     /// Bollards about a chamfer's kerb.
     void furnish_corner(const Frame& at);

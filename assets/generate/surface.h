@@ -5,13 +5,13 @@
 
 namespace rambla::assets::generate {
 
-/// What a triangle is made of. A model has one mesh per surface; which material stands for a surface is decided
-/// where the model is put together, so that one geometry serves many colour schemes.
+/// What a triangle is made of. A model has one mesh per surface; which material stands for a surface is
+/// decided where the model is put together, so that one geometry serves many colour schemes.
 enum class Surface : std::uint8_t {
     wall,
-    base,  ///< ground floor's wall
-    trim,  ///< cornices, surrounds, sills
-    plain, ///< party walls, courtyards
+    base,   ///< ground floor's wall
+    trim,   ///< cornices, surrounds, sills
+    plain,  ///< party walls, courtyards
     roof,
     frame,
     pane,
@@ -54,18 +54,28 @@ inline constexpr std::size_t k_surface_count = static_cast<std::size_t>(Surface:
 /// Edge of the square that one repeat of the surface's textures covers, in metres.
 [[nodiscard]] constexpr float metres_per_repeat(Surface surface) {
     switch (surface) {
-        case Surface::paving: return 1.6f;
-        case Surface::asphalt: return 2.0f;
+        case Surface::paving:
+            return 1.6f;
+        case Surface::asphalt:
+            return 2.0f;
         case Surface::gutter:
-        case Surface::kerb: return 1.2f;
-        case Surface::roof: return 2.0f;
-        case Surface::shutter: return 1.0f;
+        case Surface::kerb:
+            return 1.2f;
+        case Surface::roof:
+            return 2.0f;
+        case Surface::shutter:
+            return 1.0f;
         case Surface::shop_frame:
-        case Surface::timber: return 1.0f;
-        case Surface::bark: return 1.0f;
-        case Surface::cloth: return 0.25f;
-        case Surface::paint: return 2.0f;
-        default: return 2.0f;
+        case Surface::timber:
+            return 1.0f;
+        case Surface::bark:
+            return 1.0f;
+        case Surface::cloth:
+            return 0.25f;
+        case Surface::paint:
+            return 2.0f;
+        default:
+            return 2.0f;
     }
 }
 

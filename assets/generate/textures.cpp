@@ -11,9 +11,9 @@ namespace {
 using Painter = PaintedSet (*)(std::uint32_t);
 
 constexpr std::array<Painter, k_pattern_count> k_painters{
-    paint_plaster, paint_brick,  paint_stone,      paint_stucco, paint_paving,  paint_asphalt,
-    paint_granite, paint_gravel, paint_louvre,     paint_timber, paint_door,    paint_bark,
-    paint_leaves,  paint_railing, paint_fabric,    paint_window, paint_window_lit, paint_shop,
+    paint_plaster, paint_brick,      paint_stone,  paint_stucco, paint_paving,     paint_asphalt,
+    paint_granite, paint_gravel,     paint_louvre, paint_timber, paint_door,       paint_bark,
+    paint_leaves,  paint_railing,    paint_fabric, paint_window, paint_window_lit, paint_shop,
     paint_signs,   paint_road_paint, paint_cover,  paint_cloth,
 };
 

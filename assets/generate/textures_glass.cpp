@@ -12,15 +12,19 @@ namespace {
 /// How much of a curtain or blind hangs at a place of a window: 0 none, 1 dense.
 /// @param local  0 … 1 within the window, y downwards
 float drapery(std::uint32_t cell, glm::vec2 local, std::uint32_t seed) {
-    const float folds = 0.75f + 0.25f * std::sin(local.x * 70.0f + 3.0f * value_noise(local, {5, 2}, seed + cell));
+    const float folds =
+        0.75f + 0.25f * std::sin(local.x * 70.0f + 3.0f * value_noise(local, {5, 2}, seed + cell));
     switch (cell) {
-        case 0: return 0.0f;
+        case 0:
+            return 0.0f;
         case 1: {  // two curtains, drawn aside
             const float sway = 0.20f + 0.06f * local.y;
             return std::min(local.x, 1.0f - local.x) < sway ? folds : 0.0f;
         }
-        case 2: return local.y < 0.46f ? 0.80f + 0.10f * std::sin(local.y * 240.0f) : 0.0f;  // blind half down
-        default: return 0.62f * folds + 0.2f * value_noise(local, {40, 60}, seed);          // lace
+        case 2:
+            return local.y < 0.46f ? 0.80f + 0.10f * std::sin(local.y * 240.0f) : 0.0f;  // blind half down
+        default:
+            return 0.62f * folds + 0.2f * value_noise(local, {40, 60}, seed);  // lace
     }
 }
 
@@ -31,7 +35,8 @@ PaintedSet paint_window(std::uint32_t seed) {
     canvas.paint([&](glm::vec2 uv) {
         const auto cell = static_cast<std::uint32_t>(uv.x * k_window_cells);
         const glm::vec2 local{glm::fract(uv.x * k_window_cells), uv.y};
-        const float room = 0.13f + 0.06f * (1.0f - local.y) + 0.05f * (fractal_noise(uv, {16, 4}, 3, seed) - 0.5f);
+        const float room =
+            0.13f + 0.06f * (1.0f - local.y) + 0.05f * (fractal_noise(uv, {16, 4}, 3, seed) - 0.5f);
         const glm::vec3 dark{room * 0.92f, room, room * 1.10f};
         const float cloth = drapery(cell, local, seed);
         return Texel{{glm::mix(dark, glm::vec3{0.52f, 0.52f, 0.48f}, 0.75f * cloth), 1.0f}, 0.0f, 0.05f};
@@ -62,15 +67,16 @@ PaintedSet paint_window_lit(std::uint32_t seed) {
         const float value = 0.20f + 0.28f * cloth;
         return Texel{{value, value * 0.95f, value * 0.85f, 1.0f}, 0.0f, 0.05f};
     });
-    return {"window-lit", colour.colour_image("window-lit"), {}, {}, glow.colour_image("window-lit-emission")};
+    return {
+        "window-lit", colour.colour_image("window-lit"), {}, {}, glow.colour_image("window-lit-emission")};
 }
 
 namespace {
 
 /// What shelves of goods look like at a place of a shop window.
 /// @param local  0 … 1 within the window, y downwards; sizes in goods across and shelves down
-glm::vec3 shelves(glm::vec2 local, std::uint32_t across, std::uint32_t down, glm::vec3 wall, glm::vec3 goods, float variety,
-                  std::uint32_t seed) {
+glm::vec3 shelves(glm::vec2 local, std::uint32_t across, std::uint32_t down, glm::vec3 wall, glm::vec3 goods,
+                  float variety, std::uint32_t seed) {
     const auto shelf = static_cast<std::uint32_t>(local.y * static_cast<float>(down));
     const auto slot = static_cast<std::uint32_t>(local.x * static_cast<float>(across));
     const float above_board = 1.0f - glm::fract(local.y * static_cast<float>(down));
@@ -97,11 +103,13 @@ bool dummy(glm::vec2 local, float middle) {
 
 glm::vec3 shop_interior(std::uint32_t cell, glm::vec2 local, std::uint32_t seed) {
     switch (cell) {
-        case 0: return shelves(local, 26, 5, {0.56f, 0.46f, 0.34f}, {0.60f, 0.46f, 0.34f}, 0.30f, seed);  // books
+        case 0:
+            return shelves(local, 26, 5, {0.56f, 0.46f, 0.34f}, {0.60f, 0.46f, 0.34f}, 0.30f, seed);  // books
         case 1: {  // bakery: loaves above a counter
             if (local.y > 0.66f)
                 return glm::vec3{0.66f, 0.60f, 0.50f} * (0.75f + 0.25f * value_noise(local, {40, 6}, seed));
-            return shelves({local.x, local.y / 0.66f}, 9, 3, {0.74f, 0.66f, 0.52f}, {0.62f, 0.40f, 0.20f}, 0.08f, seed);
+            return shelves({local.x, local.y / 0.66f}, 9, 3, {0.74f, 0.66f, 0.52f}, {0.62f, 0.40f, 0.20f},
+                           0.08f, seed);
         }
         case 2: {  // clothes on dummies before a pale wall
             if (dummy(local, 0.27f)) return {0.52f, 0.20f, 0.19f};
@@ -110,9 +118,11 @@ glm::vec3 shop_interior(std::uint32_t cell, glm::vec2 local, std::uint32_t seed)
         }
         default: {  // a bar: dark wood, bottles, pendant lamps
             if (local.y > 0.62f) return {0.26f, 0.18f, 0.12f};
-            const float lamp = glm::length(glm::vec2{glm::fract(local.x * 3.0f) - 0.5f, (local.y - 0.22f) * 5.0f});
+            const float lamp =
+                glm::length(glm::vec2{glm::fract(local.x * 3.0f) - 0.5f, (local.y - 0.22f) * 5.0f});
             if (lamp < 0.16f) return {1.0f, 0.88f, 0.62f};
-            return shelves({local.x, local.y / 0.62f}, 30, 3, {0.36f, 0.28f, 0.20f}, {0.30f, 0.36f, 0.24f}, 0.22f, seed) *
+            return shelves({local.x, local.y / 0.62f}, 30, 3, {0.36f, 0.28f, 0.20f}, {0.30f, 0.36f, 0.24f},
+                           0.22f, seed) *
                    (0.7f + 0.5f / (1.0f + 8.0f * lamp));
         }
     }
@@ -126,7 +136,8 @@ PaintedSet paint_shop(std::uint32_t seed) {
     const auto interior = [&](glm::vec2 uv) {
         const auto cell = static_cast<std::uint32_t>(uv.x * static_cast<float>(k_shop_cells));
         const glm::vec2 local{glm::fract(uv.x * static_cast<float>(k_shop_cells)), uv.y};
-        const float lamps = 0.55f + 0.45f / (1.0f + 6.0f * local.y) + 0.12f * std::cos(local.x * 18.8496f) * (1.0f - local.y);
+        const float lamps =
+            0.55f + 0.45f / (1.0f + 6.0f * local.y) + 0.12f * std::cos(local.x * 18.8496f) * (1.0f - local.y);
         return shop_interior(cell, local, seed) * std::min(lamps, 1.0f);
     };
     glow.paint([&](glm::vec2 uv) { return Texel{{interior(uv), 1.0f}, 0.0f, 0.05f}; });

@@ -9,7 +9,8 @@
 namespace rambla::assets::generate {
 
 PaintedSet paint_paving(std::uint32_t seed) {
-    // Barcelona's "panot": hydraulic tiles of 20 cm with a flower of four petals about a ring, pressed 8 mm deep.
+    // Barcelona's "panot": hydraulic tiles of 20 cm with a flower of four petals about a ring, pressed 8 mm
+    // deep.
     constexpr std::uint32_t k_tiles = 8;
     Canvas canvas{512, 512};
     canvas.paint([&](glm::vec2 uv) {
@@ -21,7 +22,9 @@ PaintedSet paint_paving(std::uint32_t seed) {
         const float dirt = fractal_noise(uv, {4, 4}, 5, seed + 2);
 
         constexpr float k_groove = 0.030f;  // half width, in tiles
-        const auto groove = [&](float distance) { return 1.0f - glm::smoothstep(k_groove * 0.5f, k_groove, distance); };
+        const auto groove = [&](float distance) {
+            return 1.0f - glm::smoothstep(k_groove * 0.5f, k_groove, distance);
+        };
         const glm::vec2 petal = glm::abs(local) - 0.175f;
         const float outside_other_petals = std::min(std::abs(local.x), std::abs(local.y));
         float pressed = groove(std::abs(glm::length(petal) - 0.175f));
@@ -32,14 +35,17 @@ PaintedSet paint_paving(std::uint32_t seed) {
         const float edge = 0.5f - std::max(std::abs(local.x), std::abs(local.y));
         const float joint = 1.0f - glm::smoothstep(0.008f, 0.028f, edge);
 
-        const float value = (0.60f + 0.06f * tone + 0.10f * (grain - 0.5f) + 0.16f * (dirt - 0.5f)) *
-                            (1.0f - 0.20f * pressed) * (1.0f - 0.32f * joint);
-        return Texel{{value, value * 0.975f, value * 0.93f, 1.0f},
+        const float value = (0.70f + 0.06f * tone + 0.10f * (grain - 0.5f) + 0.16f * (dirt - 0.5f)) *
+                            (1.0f - 0.28f * pressed) * (1.0f - 0.42f * joint);
+        return Texel{{value, value * 0.965f, value * 0.90f, 1.0f},
                      -0.006f * std::max(pressed, joint) + 0.001f * grain,
                      0.72f + 0.20f * dirt};
     });
-    return {"paving", canvas.colour_image("paving"), canvas.normal_image("paving-normal", 1.6f),
-            canvas.roughness_image("paving-roughness"), {}};
+    return {"paving",
+            canvas.colour_image("paving"),
+            canvas.normal_image("paving-normal", 1.6f),
+            canvas.roughness_image("paving-roughness"),
+            {}};
 }
 
 PaintedSet paint_asphalt(std::uint32_t seed) {
@@ -51,8 +57,10 @@ PaintedSet paint_asphalt(std::uint32_t seed) {
         const glm::vec2 blotch = cell_noise(uv + 0.02f * wear, {3, 4}, seed + 5);
         const float crack = 1.0f - glm::smoothstep(0.0f, 0.012f, blotch.y - blotch.x);
         const float stone = 1.0f - glm::smoothstep(0.15f, 0.55f, stones.x);
-        const float value = 0.335f + 0.10f * (tone - 0.5f) + 0.09f * (wear - 0.5f) + 0.05f * stone - 0.05f * crack;
-        return Texel{{value, value * 0.99f, value * 0.97f, 1.0f}, 0.0035f * stone - 0.003f * crack,
+        const float value =
+            0.42f + 0.10f * (tone - 0.5f) + 0.09f * (wear - 0.5f) + 0.05f * stone - 0.05f * crack;
+        return Texel{{value, value * 0.975f, value * 0.93f, 1.0f},
+                     0.0035f * stone - 0.003f * crack,
                      0.86f - 0.10f * wear};
     });
     return {"asphalt", canvas.colour_image("asphalt"), canvas.normal_image("asphalt-normal", 2.0f), {}, {}};
@@ -66,8 +74,9 @@ PaintedSet paint_granite(std::uint32_t seed) {
         const float cloud = fractal_noise(uv, {6, 6}, 4, seed + 1);
         const float joint_distance = std::min(uv.x, 1.0f - uv.x) * 1.2f;  // kerb stones of 1.2 m
         const float joint = 1.0f - glm::smoothstep(0.004f, 0.010f, joint_distance);
-        const float value = (0.60f + 0.18f * (cloud - 0.5f) + 0.12f * (speckle - 0.5f)) * (1.0f - 0.35f * joint);
-        return Texel{{value, value * 0.99f, value * 0.97f, 1.0f}, 0.0f, 0.8f};
+        const float value =
+            (0.68f + 0.18f * (cloud - 0.5f) + 0.12f * (speckle - 0.5f)) * (1.0f - 0.35f * joint);
+        return Texel{{value, value * 0.98f, value * 0.94f, 1.0f}, 0.0f, 0.8f};
     });
     return {"granite", canvas.colour_image("granite"), {}, {}, {}};
 }
@@ -76,9 +85,11 @@ PaintedSet paint_gravel(std::uint32_t seed) {
     // Roof terraces: fired tiles of 25 × 12.5 cm, faded.
     Canvas canvas{256, 256};
     canvas.paint([&](glm::vec2 uv) {
-        const glm::uvec2 tile{static_cast<std::uint32_t>(uv.x * 8.0f), static_cast<std::uint32_t>(uv.y * 16.0f)};
+        const glm::uvec2 tile{static_cast<std::uint32_t>(uv.x * 8.0f),
+                              static_cast<std::uint32_t>(uv.y * 16.0f)};
         const glm::vec2 local = glm::fract(uv * glm::vec2{8.0f, 16.0f});
-        const float edge = std::min(std::min(local.x, 1.0f - local.x) * 2.0f, std::min(local.y, 1.0f - local.y));
+        const float edge =
+            std::min(std::min(local.x, 1.0f - local.x) * 2.0f, std::min(local.y, 1.0f - local.y));
         const float joint = 1.0f - glm::smoothstep(0.03f, 0.09f, edge);
         const float tone = lattice_unit(tile.x, tile.y, seed);
         const float dirt = fractal_noise(uv, {4, 4}, 5, seed + 1);

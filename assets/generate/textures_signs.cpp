@@ -30,7 +30,8 @@ constexpr std::array<Glyph, 20> k_glyphs{{
 bool ink(char letter, int column, int row) {
     if (column < 0 || column > 4 || row < 0 || row > 6) return false;
     for (const Glyph& glyph : k_glyphs)
-        if (glyph.letter == letter) return ((glyph.rows[static_cast<std::size_t>(row)] >> (4 - column)) & 1) != 0;
+        if (glyph.letter == letter)
+            return ((glyph.rows[static_cast<std::size_t>(row)] >> (4 - column)) & 1) != 0;
     return false;
 }
 

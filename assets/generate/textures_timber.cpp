@@ -8,7 +8,8 @@
 namespace rambla::assets::generate {
 
 PaintedSet paint_louvre(std::uint32_t seed) {
-    // One leaf of a shutter, 1 m of it: slats every 5 cm between stiles; painted wood, coloured by the material.
+    // One leaf of a shutter, 1 m of it: slats every 5 cm between stiles; painted wood, coloured by the
+    // material.
     Canvas canvas{128, 256};
     canvas.paint([&](glm::vec2 uv) {
         constexpr float k_slats = 20.0f;
@@ -16,13 +17,15 @@ PaintedSet paint_louvre(std::uint32_t seed) {
         const float edge = std::min(uv.x, 1.0f - uv.x);
         const bool stile = edge < 0.10f;
         const float grain = fractal_noise(uv, {40, 4}, 3, seed);
-        const float slat_tone = lattice_unit(static_cast<std::uint32_t>(uv.y * k_slats), stile ? 1 : 0, seed + 4);
+        const float slat_tone =
+            lattice_unit(static_cast<std::uint32_t>(uv.y * k_slats), stile ? 1 : 0, seed + 4);
         float value = 0.86f + 0.10f * (grain - 0.5f) + 0.06f * (slat_tone - 0.5f);
         float height = 0.0f;
         if (stile) {
             height = 0.012f;
         } else {
-            value *= glm::mix(0.42f, 1.0f, glm::smoothstep(0.05f, 0.45f, phase));  // below the slat above it is dark
+            value *= glm::mix(0.42f, 1.0f,
+                              glm::smoothstep(0.05f, 0.45f, phase));  // below the slat above it is dark
             height = 0.010f * phase;  // slats lean outwards, so that rain runs off
         }
         return Texel{{value, value, value, 1.0f}, height, 0.6f};
@@ -45,7 +48,8 @@ PaintedSet paint_timber(std::uint32_t seed) {
 }
 
 PaintedSet paint_door(std::uint32_t seed) {
-    // Two leaves, each with a square panel, a tall one and a round-edged one; the picture spans the whole door.
+    // Two leaves, each with a square panel, a tall one and a round-edged one; the picture spans the whole
+    // door.
     Canvas canvas{256, 512};
     canvas.paint([&](glm::vec2 uv) {
         const float leaf = glm::fract(uv.x * 2.0f);
@@ -60,8 +64,8 @@ PaintedSet paint_door(std::uint32_t seed) {
         const float split = 1.0f - glm::smoothstep(0.004f, 0.012f, std::abs(uv.x - 0.5f) * 1.2f);
         const float grain = fractal_noise(uv, {60, 6}, 3, seed);
         const float dirt = glm::smoothstep(0.90f, 1.0f, uv.y);
-        const float value = (0.84f + 0.14f * (grain - 0.5f) + 0.03f * field) * (1.0f - 0.45f * std::max(groove, split)) *
-                            (1.0f - 0.25f * dirt);
+        const float value = (0.84f + 0.14f * (grain - 0.5f) + 0.03f * field) *
+                            (1.0f - 0.45f * std::max(groove, split)) * (1.0f - 0.25f * dirt);
         return Texel{{value, value, value, 1.0f}, 0.012f * field - 0.010f * std::max(groove, split), 0.5f};
     });
     return {"door", canvas.colour_image("door"), canvas.normal_image("door-normal", 1.3f), {}, {}};
@@ -86,7 +90,8 @@ PaintedSet paint_bark(std::uint32_t seed) {
 }
 
 PaintedSet paint_fabric(std::uint32_t seed) {
-    // Awning canvas: stripes of 20 cm, white and the material's colour in one: dark stripes carry the hue's depth.
+    // Awning canvas: stripes of 20 cm, white and the material's colour in one: dark stripes carry the hue's
+    // depth.
     Canvas canvas{256, 256};
     canvas.paint([&](glm::vec2 uv) {
         const float phase = glm::fract(uv.x * 4.0f);
@@ -95,7 +100,8 @@ PaintedSet paint_fabric(std::uint32_t seed) {
                                          static_cast<std::uint32_t>(uv.y * 256.0f), seed);
         const float dirt = fractal_noise(uv, {4, 4}, 4, seed + 2);
         const float shade = 1.0f + 0.06f * (weave - 0.5f) + 0.16f * (dirt - 0.5f);
-        const glm::vec3 colour = glm::mix(glm::vec3{0.92f, 0.90f, 0.84f}, glm::vec3{0.62f, 0.20f, 0.16f}, stripe);
+        const glm::vec3 colour =
+            glm::mix(glm::vec3{0.92f, 0.90f, 0.84f}, glm::vec3{0.62f, 0.20f, 0.16f}, stripe);
         return Texel{{colour * shade, 1.0f}, 0.0f, 0.9f};
     });
     return {"fabric", canvas.colour_image("fabric"), {}, {}, {}};

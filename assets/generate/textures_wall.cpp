@@ -36,15 +36,18 @@ PaintedSet paint_plaster(std::uint32_t seed) {
     Canvas canvas{512, 512};
     canvas.paint([&](glm::vec2 uv) {
         const float stain = fractal_noise(uv, {3, 2}, 4, seed);
-        const float streak = fractal_noise(uv, {24, 2}, 3, seed + 10);  // rain runs down: thin across, long down
+        const float streak =
+            fractal_noise(uv, {24, 2}, 3, seed + 10);  // rain runs down: thin across, long down
         const float grain = fractal_noise(uv, {64, 64}, 3, seed + 20);
         const float patch = glm::smoothstep(0.60f, 0.68f, fractal_noise(uv, {4, 4}, 4, seed + 30));
-        const float value = 0.90f + 0.10f * (stain - 0.5f) + 0.06f * (streak - 0.5f) + 0.06f * (grain - 0.5f) -
-                            0.035f * patch;
+        const float value = 0.90f + 0.10f * (stain - 0.5f) + 0.06f * (streak - 0.5f) +
+                            0.06f * (grain - 0.5f) - 0.035f * patch;
         const float warmth = 0.02f * (stain - 0.5f);
-        return Texel{{value + warmth, value, value - 1.5f * warmth, 1.0f}, 0.004f * grain + 0.0015f * patch, 0.9f};
+        return Texel{
+            {value + warmth, value, value - 1.5f * warmth, 1.0f}, 0.004f * grain + 0.0015f * patch, 0.9f};
     });
-    return {"plaster", canvas.colour_image("plaster"), canvas.normal_image("plaster-normal", k_wall_m), {}, {}};
+    return {
+        "plaster", canvas.colour_image("plaster"), canvas.normal_image("plaster-normal", k_wall_m), {}, {}};
 }
 
 PaintedSet paint_brick(std::uint32_t seed) {

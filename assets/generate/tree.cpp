@@ -14,7 +14,8 @@ constexpr float k_two_pi = 6.2831853f;
 /// A bough from a to b, tapering, with a slight bend upwards.
 void build_bough(Builder& b, glm::vec3 from, glm::vec3 to, float radius_from, float radius_to, int sides) {
     const glm::vec3 axis = glm::normalize(to - from);
-    const glm::vec3 a = glm::normalize(glm::cross(std::abs(axis.y) < 0.9f ? glm::vec3{0.0f, 1.0f, 0.0f} : glm::vec3{1.0f, 0.0f, 0.0f}, axis));
+    const glm::vec3 a = glm::normalize(glm::cross(
+        std::abs(axis.y) < 0.9f ? glm::vec3{0.0f, 1.0f, 0.0f} : glm::vec3{1.0f, 0.0f, 0.0f}, axis));
     const glm::vec3 c = glm::cross(axis, a);
     const glm::vec3 middle = 0.5f * (from + to) - glm::vec3{0.0f, 0.08f * glm::length(to - from), 0.0f};
     const float radius = 0.5f * (radius_from + radius_to);
@@ -31,9 +32,10 @@ glm::vec3 on_sphere(Draws& draws) {
     return {r * std::cos(turn), y, r * std::sin(turn)};
 }
 
-void build_card(Builder& b, glm::vec3 centre, glm::vec3 facing, glm::vec3 crown_centre, glm::vec3 crown_half, float size,
-                Draws& draws) {
-    const glm::vec3 helper = std::abs(facing.y) < 0.9f ? glm::vec3{0.0f, 1.0f, 0.0f} : glm::vec3{1.0f, 0.0f, 0.0f};
+void build_card(Builder& b, glm::vec3 centre, glm::vec3 facing, glm::vec3 crown_centre, glm::vec3 crown_half,
+                float size, Draws& draws) {
+    const glm::vec3 helper =
+        std::abs(facing.y) < 0.9f ? glm::vec3{0.0f, 1.0f, 0.0f} : glm::vec3{1.0f, 0.0f, 0.0f};
     const glm::vec3 side = glm::normalize(glm::cross(helper, facing));
     const glm::vec3 up = glm::cross(facing, side);
     const float turn = k_two_pi * draws.unit();
@@ -42,7 +44,8 @@ void build_card(Builder& b, glm::vec3 centre, glm::vec3 facing, glm::vec3 crown_
     const std::array<glm::vec3, 4> corners{centre - u - v, centre + u - v, centre + u + v, centre - u + v};
     std::array<glm::vec3, 4> normals;
     for (std::size_t i = 0; i < 4; ++i) {
-        const glm::vec3 outwards = glm::normalize((corners[i] - crown_centre) / crown_half + glm::vec3{0.0f, 0.25f, 0.0f});
+        const glm::vec3 outwards =
+            glm::normalize((corners[i] - crown_centre) / crown_half + glm::vec3{0.0f, 0.25f, 0.0f});
         normals[i] = glm::normalize(outwards + 0.35f * facing);
     }
     const float cell = 1.0f / static_cast<float>(k_leaf_cells);
@@ -61,8 +64,9 @@ void build_tree(Builder& b, Draws& draws) {
         const float share = y / fork;
         return Ring{{lean_x * share * share, y, lean_z * share * share}, {r, 0.0f, 0.0f}, {0.0f, 0.0f, r}};
     };
-    const std::array<Ring, 5> trunk{ring(-0.1f, 1.7f * radius), ring(0.12f, 1.3f * radius), ring(0.6f, 1.05f * radius),
-                                    ring(0.6f * fork, 0.92f * radius), ring(fork + 0.05f, 0.85f * radius)};
+    const std::array<Ring, 5> trunk{ring(-0.1f, 1.7f * radius), ring(0.12f, 1.3f * radius),
+                                    ring(0.6f, 1.05f * radius), ring(0.6f * fork, 0.92f * radius),
+                                    ring(fork + 0.05f, 0.85f * radius)};
     b.tube(Surface::bark, trunk, 9, false, true);
 
     const glm::vec3 crown{lean_x, fork + 2.2f, lean_z};
@@ -70,13 +74,15 @@ void build_tree(Builder& b, Draws& draws) {
     const glm::vec3 top{lean_x, fork, lean_z};
     constexpr int k_boughs = 6;
     for (int i = 0; i < k_boughs; ++i) {
-        const float turn = k_two_pi * (static_cast<float>(i) + draws.between(-0.3f, 0.3f)) / static_cast<float>(k_boughs);
+        const float turn =
+            k_two_pi * (static_cast<float>(i) + draws.between(-0.3f, 0.3f)) / static_cast<float>(k_boughs);
         const float rise = draws.between(1.3f, 2.8f);
         const glm::vec3 tip = top + glm::vec3{1.15f * std::cos(turn), rise, 1.15f * std::sin(turn)};
         build_bough(b, top - glm::vec3{0.0f, 0.15f, 0.0f}, tip, 0.5f * radius, 0.035f, 6);
         const glm::vec3 twig = 0.5f * (top + tip);
-        build_bough(b, twig, twig + glm::vec3{0.9f * std::cos(turn + 0.8f), 0.9f, 0.9f * std::sin(turn + 0.8f)}, 0.035f,
-                    0.012f, 4);
+        build_bough(b, twig,
+                    twig + glm::vec3{0.9f * std::cos(turn + 0.8f), 0.9f, 0.9f * std::sin(turn + 0.8f)},
+                    0.035f, 0.012f, 4);
     }
     // Clumps of leaves near the crown's surface with gaps between them, as plane trees grow after pollarding.
     constexpr int k_clumps = 34;
@@ -91,7 +97,8 @@ void build_tree(Builder& b, Draws& draws) {
             const glm::vec3 centre = clump + offset;
             const glm::vec3 outwards = glm::normalize((centre - crown) / half);
             const glm::vec3 facing = glm::normalize(outwards + 0.9f * on_sphere(draws));
-            const float shade = glm::mix(0.70f, 1.0f, glm::clamp(glm::length((centre - crown) / half), 0.0f, 1.0f));
+            const float shade =
+                glm::mix(0.70f, 1.0f, glm::clamp(glm::length((centre - crown) / half), 0.0f, 1.0f));
             b.colour = {shade, shade, shade, 1.0f};
             build_card(b, centre, facing, crown, half, draws.between(0.26f, 0.38f), draws);
         }

@@ -14,8 +14,8 @@ namespace {
 struct Station {
     float z, sill, waist, top;
     float half_waist, half_top;
-    bool glass_after;  ///< between this station and the next, waist to top is window
-    bool screen_after; ///< between this station and the next, the top is a wind screen
+    bool glass_after;   ///< between this station and the next, waist to top is window
+    bool screen_after;  ///< between this station and the next, the top is a wind screen
 };
 
 std::vector<Station> stations(CarKind kind) {
@@ -41,7 +41,8 @@ std::vector<Station> stations(CarKind kind) {
                     {1.62f, 0.22f, 0.92f, 0.98f, 0.87f, 0.74f, false, false},
                     {2.12f, 0.26f, 0.88f, 0.94f, 0.83f, 0.72f, false, false},
                     {2.24f, 0.36f, 0.74f, 0.76f, 0.76f, 0.66f, false, false}};
-        case CarKind::van: break;
+        case CarKind::van:
+            break;
     }
     return {{-2.20f, 0.34f, 0.66f, 0.68f, 0.76f, 0.68f, false, false},
             {-2.10f, 0.26f, 0.84f, 0.90f, 0.86f, 0.78f, false, false},
@@ -106,8 +107,8 @@ void build_shell(Builder& b, const std::vector<Station>& profile) {
     const Station& first = profile.front();
     const Station& last = profile.back();
     const float half = first.half_waist - 0.10f;
-    b.face(Surface::rubber, {-half, first.sill, first.z}, {half, first.sill, first.z}, {half, last.sill, last.z},
-           {-half, last.sill, last.z});
+    b.face(Surface::rubber, {-half, first.sill, first.z}, {half, first.sill, first.z},
+           {half, last.sill, last.z}, {-half, last.sill, last.z});
 }
 
 /// Dark half disc of a wheel arch on the body's side.
@@ -116,7 +117,8 @@ void build_arch(Builder& b, float x, float z, float radius, bool right) {
     std::vector<glm::vec3> corners;
     for (int i = 0; i <= k_steps; ++i) {
         const float angle = 3.14159265f * static_cast<float>(i) / static_cast<float>(k_steps);
-        corners.push_back({x, 0.30f + radius * std::sin(angle), z - radius * std::cos(angle) * (right ? -1.0f : 1.0f)});
+        corners.push_back(
+            {x, 0.30f + radius * std::sin(angle), z - radius * std::cos(angle) * (right ? -1.0f : 1.0f)});
     }
     std::reverse(corners.begin(), corners.end());
     b.polygon(Surface::rubber, corners);
@@ -126,9 +128,12 @@ void build_arch(Builder& b, float x, float z, float radius, bool right) {
 
 CarSize car_size(CarKind kind) {
     switch (kind) {
-        case CarKind::hatchback: return {3.96f, 1.74f, 0.31f, 1.22f, 1.24f};
-        case CarKind::saloon: return {4.46f, 1.78f, 0.32f, 1.36f, 1.34f};
-        case CarKind::van: break;
+        case CarKind::hatchback:
+            return {3.96f, 1.74f, 0.31f, 1.22f, 1.24f};
+        case CarKind::saloon:
+            return {4.46f, 1.78f, 0.32f, 1.36f, 1.34f};
+        case CarKind::van:
+            break;
     }
     return {4.40f, 1.82f, 0.33f, 1.42f, 1.38f};
 }
@@ -148,7 +153,8 @@ void build_car_body(Builder& b, CarKind kind) {
         const float x = sign * 0.56f;
         b.box(Surface::head_lamp, {x - 0.14f, 0.56f, nose - 0.02f}, {x + 0.14f, 0.68f, nose + 0.22f});
         const float lamp = kind == CarKind::van ? 1.02f : 0.74f;
-        b.box(Surface::tail_lamp, {sign * 0.66f - 0.08f, lamp, tail - 0.22f}, {sign * 0.66f + 0.08f, lamp + 0.16f, tail + 0.015f});
+        b.box(Surface::tail_lamp, {sign * 0.66f - 0.08f, lamp, tail - 0.22f},
+              {sign * 0.66f + 0.08f, lamp + 0.16f, tail + 0.015f});
         const float waist = profile[3].waist;
         b.box(Surface::body, {std::min(sign * 0.86f, sign * 1.02f), waist, profile[3].z + 0.12f},
               {std::max(sign * 0.86f, sign * 1.02f), waist + 0.13f, profile[3].z + 0.22f});
@@ -164,7 +170,8 @@ void build_wheel(Builder& b, const CarSize& size, float side) {
     const auto ring = [&](float x, float radius) {
         return Ring{{side * x, 0.0f, 0.0f}, {0.0f, radius, 0.0f}, {0.0f, 0.0f, radius}};
     };
-    const std::array<Ring, 4> tyre{ring(-0.09f, 0.90f * r), ring(-0.07f, r), ring(0.07f, r), ring(0.095f, 0.72f * r)};
+    const std::array<Ring, 4> tyre{ring(-0.09f, 0.90f * r), ring(-0.07f, r), ring(0.07f, r),
+                                   ring(0.095f, 0.72f * r)};
     b.tube(Surface::rubber, tyre, 14, true, false);
     const std::array<Ring, 3> rim{ring(0.095f, 0.72f * r), ring(0.075f, 0.62f * r), ring(0.10f, 0.16f * r)};
     b.tube(Surface::metal, rim, 14, false, true);

@@ -15,8 +15,9 @@ void build_pane(Builder& b, Surface surface, const Opening& o, std::uint32_t cel
     const float width = 1.0f / static_cast<float>(cells);
     const float inset = 0.02f * width;
     const float left = static_cast<float>(cell) * width;
-    b.picture(surface, {o.min.x, o.min.y, -k_reveal_m}, {o.max.x, o.min.y, -k_reveal_m}, {o.max.x, o.max.y, -k_reveal_m},
-              {o.min.x, o.max.y, -k_reveal_m}, {left + inset, 0.985f}, {left + width - inset, 0.015f});
+    b.picture(surface, {o.min.x, o.min.y, -k_reveal_m}, {o.max.x, o.min.y, -k_reveal_m},
+              {o.max.x, o.max.y, -k_reveal_m}, {o.min.x, o.max.y, -k_reveal_m}, {left + inset, 0.985f},
+              {left + width - inset, 0.015f});
 }
 
 /// Two leaves with a solid foot and cross bars, 4 cm before the pane.
@@ -30,7 +31,8 @@ void build_casement(Builder& b, const Opening& o) {
     b.panel(Surface::frame, {o.max.x - k_stile, o.min.y}, {o.max.x, o.max.y}, z);
     b.box(Surface::frame, {middle - 0.055f, o.min.y, z}, {middle + 0.055f, o.max.y, z + 0.025f},
           k_side_left | k_side_right | k_side_front);
-    for (const auto& [x0, x1] : {std::pair{o.min.x + k_stile, middle - 0.055f}, {middle + 0.055f, o.max.x - k_stile}}) {
+    for (const auto& [x0, x1] :
+         {std::pair{o.min.x + k_stile, middle - 0.055f}, {middle + 0.055f, o.max.x - k_stile}}) {
         b.panel(Surface::frame, {x0, o.min.y}, {x1, o.min.y + foot}, z);
         b.panel(Surface::frame, {x0, o.max.y - 0.07f}, {x1, o.max.y}, z);
         const float transom = o.max.y - 0.30f * height;
@@ -49,8 +51,8 @@ void build_leaf(Builder& b, glm::vec3 hinge, float width, float height, float op
     const float x0 = left ? 0.0f : -width;
     const float x1 = left ? width : 0.0f;
     // The picture shows stiles left and right, so a leaf spans it once across and in metres along.
-    b.picture(Surface::shutter, {x0, 0.0f, k_thick}, {x1, 0.0f, k_thick}, {x1, height, k_thick}, {x0, height, k_thick},
-              {0.0f, 0.0f}, {1.0f, -height});
+    b.picture(Surface::shutter, {x0, 0.0f, k_thick}, {x1, 0.0f, k_thick}, {x1, height, k_thick},
+              {x0, height, k_thick}, {0.0f, 0.0f}, {1.0f, -height});
     b.picture(Surface::shutter, {x1, 0.0f, 0.0f}, {x0, 0.0f, 0.0f}, {x0, height, 0.0f}, {x1, height, 0.0f},
               {0.0f, 0.0f}, {1.0f, -height});
     b.box(Surface::shutter, {x0, 0.0f, 0.0f}, {x1, height, k_thick}, k_side_left | k_side_right);
@@ -72,20 +74,26 @@ void build_window(Builder& b, const Opening& o, const FacadeStyle& style, Draws&
     const float open = mood < 0.70f ? 3.02f - 0.10f * slack : (mood < 0.88f ? 1.5f + 0.9f * slack : 0.0f);
     const float z = open == 0.0f ? -0.08f : 0.06f;
     build_leaf(b, {o.min.x, o.min.y + 0.02f, z}, half - 0.01f, height, open, true);
-    build_leaf(b, {o.max.x, o.min.y + 0.02f, z}, half - 0.01f, height, open == 0.0f ? 0.0f : open - 0.3f * slack, false);
+    build_leaf(b, {o.max.x, o.min.y + 0.02f, z}, half - 0.01f, height,
+               open == 0.0f ? 0.0f : open - 0.3f * slack, false);
 }
 
 void build_balcony(Builder& b, float x0, float x1, float y, Draws& draws) {
     constexpr float k_depth = 0.72f;
     constexpr float k_height = 1.02f;
     constexpr float k_inset = 0.05f;
-    const std::array<glm::vec2, 5> slab{{{0.0f, y - 0.16f}, {k_depth - 0.07f, y - 0.15f}, {k_depth, y - 0.09f},
-                                         {k_depth, y}, {0.0f, y + 0.005f}}};
+    const std::array<glm::vec2, 5> slab{{{0.0f, y - 0.16f},
+                                         {k_depth - 0.07f, y - 0.15f},
+                                         {k_depth, y - 0.09f},
+                                         {k_depth, y},
+                                         {0.0f, y + 0.005f}}};
     b.moulding(Surface::trim, slab, x0, x1, 0.0f, 0.0f);
-    const std::array<glm::vec2, 4> bracket{{{0.0f, y - 0.52f}, {0.10f, y - 0.50f}, {0.48f, y - 0.16f}, {0.0f, y - 0.15f}}};
+    const std::array<glm::vec2, 4> bracket{
+        {{0.0f, y - 0.52f}, {0.10f, y - 0.50f}, {0.48f, y - 0.16f}, {0.0f, y - 0.15f}}};
     const int count = std::max(2, static_cast<int>((x1 - x0) / 1.6f) + 1);
     for (int i = 0; i < count; ++i) {
-        const float x = x0 + 0.22f + (x1 - x0 - 0.44f) * static_cast<float>(i) / static_cast<float>(count - 1);
+        const float x =
+            x0 + 0.22f + (x1 - x0 - 0.44f) * static_cast<float>(i) / static_cast<float>(count - 1);
         b.moulding(Surface::trim, bracket, x - 0.06f, x + 0.06f, 0.0f, 0.0f);
     }
     const float left = x0 + k_inset;
@@ -102,15 +110,16 @@ void build_balcony(Builder& b, float x0, float x1, float y, Draws& draws) {
     rail({left, y, 0.0f}, {left, y, front});
     rail({right, y, front}, {right, y, 0.0f});
     constexpr float k_half = 0.022f;
-    b.box(Surface::iron, {left - k_half, top, front - k_half}, {right + k_half, top + 0.035f, front + k_half});
+    b.box(Surface::iron, {left - k_half, top, front - k_half},
+          {right + k_half, top + 0.035f, front + k_half});
     for (const float x : {left, right})
         b.box(Surface::iron, {x - k_half, top, 0.0f}, {x + k_half, top + 0.035f, front - k_half},
               k_all_sides & ~(k_side_back | k_side_front));
     if (!draws.chance(0.3f)) return;
     // A trough of plants that lean over the rail.
     const float centre = draws.between(left + 0.4f, right - 0.4f);
-    b.box(Surface::timber, {centre - 0.35f, y + 0.01f, front - 0.26f}, {centre + 0.35f, y + 0.22f, front - 0.06f},
-          k_all_sides & ~k_side_bottom);
+    b.box(Surface::timber, {centre - 0.35f, y + 0.01f, front - 0.26f},
+          {centre + 0.35f, y + 0.22f, front - 0.06f}, k_all_sides & ~k_side_bottom);
     for (int i = 0; i < 5; ++i) {
         const float x = centre - 0.28f + 0.14f * static_cast<float>(i);
         const float turn = draws.between(-0.7f, 0.7f);
@@ -119,8 +128,12 @@ void build_balcony(Builder& b, float x0, float x1, float y, Draws& draws) {
         const glm::vec3 soft = glm::normalize(glm::vec3{0.0f, 0.5f, 0.85f});
         const float cell = static_cast<float>(draws.below(k_leaf_cells)) / static_cast<float>(k_leaf_cells);
         b.card(Surface::foliage,
-               {glm::vec3{-k_size, -k_size, 0.0f}, {k_size, -k_size, 0.0f}, {k_size, k_size, 0.02f}, {-k_size, k_size, 0.02f}},
-               {soft, soft, soft, soft}, {cell, 1.0f}, {cell + 1.0f / static_cast<float>(k_leaf_cells), 0.0f});
+               {glm::vec3{-k_size, -k_size, 0.0f},
+                {k_size, -k_size, 0.0f},
+                {k_size, k_size, 0.02f},
+                {-k_size, k_size, 0.02f}},
+               {soft, soft, soft, soft}, {cell, 1.0f},
+               {cell + 1.0f / static_cast<float>(k_leaf_cells), 0.0f});
     }
 }
 

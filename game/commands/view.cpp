@@ -95,11 +95,14 @@ int draw_picture(const ViewCommand& command, Stage& stage, systems::Eye eye,
 int show_window(const ViewCommand& command, Stage& stage, const systems::Eye& eye, const assets::Bounds& box,
                 const render::Settings& settings) {
     ViewSession session{eye, box, command.options.origin};
-    run_app({.title = "Rambla: " + command.file.filename().string(),
-             .size_px = command.options.size_px,
-             .walking = false,
-             .frames = command.frames},
-            stage, settings, [&session](const Moment& moment) { return session.update(moment); });
+    const std::uint64_t frames =
+        run_app({.title = "Rambla: " + command.file.filename().string(),
+                 .size_px = command.options.size_px,
+                 .walking = false,
+                 .frames = command.frames},
+                stage, settings, [&session](const Moment& moment) { return session.update(moment); });
+    write_json(command.options.json,
+               {{"schema", "rambla.view/1"}, {"file", command.file.string()}, {"frames", frames}});
     return k_done;
 }
 

@@ -7,8 +7,8 @@
 
 namespace rambla::render {
 
-/// Forward pass of transparent surfaces over the lit picture, back to front, with the lighting functions of the
-/// deferred passes. Without such surfaces there is no pass.
+/// Forward pass of transparent surfaces over the lit picture, back to front, with the lighting functions of
+/// the deferred passes. Without such surfaces there is no pass.
 class BlendPass {
 public:
     explicit BlendPass(gl::ProgramRegistry& programs);

@@ -10,7 +10,8 @@ bool has_detail(const assets::Material& material) {
 
 GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {
     for (const bool masked : {false, true}) {
-        for (const bool detailed : {false, true}) static_cast<void>(program(masked, detailed, false));
+        for (const bool detailed : {false, true})
+            static_cast<void>(program(masked, detailed, false));
     }
 }
 
@@ -37,24 +38,26 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
         "gbuffer",
         [&](PassBuilder& pass) {
             // Colours are read only where depth says that there is geometry.
-            resources.albedo = pass.write_colour(0, pass.create_texture("albedo", target(GL_SRGB8_ALPHA8)),
-                                                 LoadOp::discard);
-            resources.normal = pass.write_colour(1, pass.create_texture("normal", target(GL_RG16)), LoadOp::discard);
-            resources.surface = pass.write_colour(2, pass.create_texture("surface", target(GL_RGBA8)),
-                                                  LoadOp::discard);
+            resources.albedo =
+                pass.write_colour(0, pass.create_texture("albedo", target(GL_SRGB8_ALPHA8)), LoadOp::discard);
+            resources.normal =
+                pass.write_colour(1, pass.create_texture("normal", target(GL_RG16)), LoadOp::discard);
+            resources.surface =
+                pass.write_colour(2, pass.create_texture("surface", target(GL_RGBA8)), LoadOp::discard);
             if (emissive) {
                 resources.emission = pass.write_colour(
                     3, pass.create_texture("emission", target(GL_R11F_G11F_B10F)), LoadOp::discard);
             }
-            resources.depth = pass.write_depth(pass.create_texture("depth", target(GL_DEPTH_COMPONENT32F)),
-                                               LoadOp::clear);
+            resources.depth =
+                pass.write_depth(pass.create_texture("depth", target(GL_DEPTH_COMPONENT32F)), LoadOp::clear);
         },
         [this, &resources, emissive](PassContext&) {
             glEnable(GL_DEPTH_TEST);
             glDepthFunc(GL_GREATER);
             glDepthMask(GL_TRUE);
-            const DrawCounts drawn =
-                resources.opaque.draw(resources.scene, [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
+            const DrawCounts drawn = resources.opaque.draw(
+                resources.scene,
+                [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
                     const bool masked = pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask);
                     return program(masked, has_detail(resources.scene.material(material)), emissive);
                 });

@@ -7,8 +7,8 @@
 
 namespace rambla::render {
 
-/// Draws the opaque and masked queue into the compact G-buffer (shaders/gbuffer_layout.glsl): depth, albedo, normal,
-/// surface, and emission when the Frame says that something emits.
+/// Draws the opaque and masked queue into the compact G-buffer (shaders/gbuffer_layout.glsl): depth, albedo,
+/// normal, surface, and emission when the Frame says that something emits.
 class GBufferPass {
 public:
     explicit GBufferPass(gl::ProgramRegistry& programs);
@@ -16,8 +16,8 @@ public:
     void add(RenderGraph& graph, FrameResources& resources);
 
 private:
-    /// Masked materials need a discard, which costs early depth; few materials have more than a base colour, and
-    /// texture filtering is what this pass costs; emission needs a target.
+    /// Masked materials need a discard, which costs early depth; few materials have more than a base colour,
+    /// and texture filtering is what this pass costs; emission needs a target.
     [[nodiscard]] const gl::Program& program(bool masked, bool detailed, bool emissive);
 
     gl::ProgramRegistry& programs_;

@@ -9,7 +9,8 @@ namespace {
 
 /// Sky has depth 0; a rectangle that lies before it, however far away, rejects it.
 constexpr float k_min_depth = 1e-30f;
-/// Widens bounds against rounding in the projection of pixels and rectangles: a thousandth of a pixel of 1000.
+/// Widens bounds against rounding in the projection of pixels and rectangles: a thousandth of a pixel of
+/// 1000.
 constexpr float k_slack_ndc = 2e-6f;
 
 constexpr double k_unbounded = std::numeric_limits<double>::infinity();
@@ -30,11 +31,14 @@ Slopes tangent_slopes(double across, double ahead, double radius) {
             high_ahead > 0.0 ? (across * t + ahead * radius) / high_ahead : k_unbounded};
 }
 
-float clamped(double ndc) { return static_cast<float>(std::clamp(ndc, -1.0, 1.0)); }
+float clamped(double ndc) {
+    return static_cast<float>(std::clamp(ndc, -1.0, 1.0));
+}
 
 }  // namespace
 
-std::optional<ScreenRectangle> sphere_rectangle(const systems::FrameView& view, glm::vec3 centre_m, float radius_m) {
+std::optional<ScreenRectangle> sphere_rectangle(const systems::FrameView& view, glm::vec3 centre_m,
+                                                float radius_m) {
     const glm::mat4& p = view.clip_from_view;
     const glm::dvec3 centre{glm::mat3{view.view_from_world} * centre_m};
     const double radius = radius_m;
@@ -58,7 +62,8 @@ std::optional<ScreenRectangle> sphere_rectangle(const systems::FrameView& view, 
         if (rectangle.min[axis] >= rectangle.max[axis]) return std::nullopt;
     }
     if (view.orthographic && p[2][2] * nearest + p[3][2] < 0.0) return std::nullopt;  // beyond the far plane
-    const double depth = view.orthographic ? p[2][2] * farthest + p[3][2] : (p[2][2] * farthest + p[3][2]) / -farthest;
+    const double depth =
+        view.orthographic ? p[2][2] * farthest + p[3][2] : (p[2][2] * farthest + p[3][2]) / -farthest;
     rectangle.depth = std::clamp(static_cast<float>(depth), k_min_depth, 1.0f);
     return rectangle;
 }

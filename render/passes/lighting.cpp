@@ -11,12 +11,12 @@ LightingPass::LightingPass(gl::ProgramRegistry& programs) : programs_{programs} 
 const gl::Program& LightingPass::program(bool shadowed, bool emissive) {
     const gl::Program*& variant = variants_[(shadowed ? 1u : 0u) | (emissive ? 2u : 0u)];
     if (variant == nullptr) {
-        variant = &programs_.get({.name = "lighting",
-                                  .vertex = "full_screen.vert.glsl",
-                                  .fragment = "lighting.frag.glsl",
-                                  .compute = {},
-                                  .defines = {{"SHADOW_RESULT", shadowed ? "1" : "0"},
-                                              {"EMISSION", emissive ? "1" : "0"}}});
+        variant = &programs_.get(
+            {.name = "lighting",
+             .vertex = "full_screen.vert.glsl",
+             .fragment = "lighting.frag.glsl",
+             .compute = {},
+             .defines = {{"SHADOW_RESULT", shadowed ? "1" : "0"}, {"EMISSION", emissive ? "1" : "0"}}});
     }
     return *variant;
 }
@@ -29,7 +29,8 @@ void LightingPass::add(RenderGraph& graph, FrameResources& resources) {
         "lighting",
         [&](PassBuilder& pass) {
             pass.test_depth(resources.depth);
-            for (const TextureHandle target : {resources.depth, resources.albedo, resources.normal, resources.surface}) {
+            for (const TextureHandle target :
+                 {resources.depth, resources.albedo, resources.normal, resources.surface}) {
                 pass.read(target);
             }
             if (shadowed) pass.read(resources.shadow_result);

@@ -7,8 +7,8 @@
 
 namespace rambla::render {
 
-/// Sun, sky and emission on the G-buffer's surfaces. Makes `scene_colour`, which is left undefined where nothing is
-/// seen: the sky pass fills exactly those pixels.
+/// Sun, sky and emission on the G-buffer's surfaces. Makes `scene_colour`, which is left undefined where
+/// nothing is seen: the sky pass fills exactly those pixels.
 class LightingPass {
 public:
     explicit LightingPass(gl::ProgramRegistry& programs);

@@ -17,18 +17,22 @@ void LocalLightsPass::add(RenderGraph& graph, FrameResources& resources) {
     rectangles_.clear();
     const std::vector<systems::FrameLight>& lights = resources.frame.lights;
     for (std::uint32_t light = 0; light < lights.size(); ++light) {
-        const auto r = sphere_rectangle(resources.frame.view, lights[light].position_m, lights[light].radius_m);
+        const auto r =
+            sphere_rectangle(resources.frame.view, lights[light].position_m, lights[light].radius_m);
         if (!r) continue;
-        rectangles_.push_back({.ndc = {r->min, r->max}, .depth = r->depth, .light = light, .padding0 = 0, .padding1 = 0});
+        rectangles_.push_back(
+            {.ndc = {r->min, r->max}, .depth = r->depth, .light = light, .padding0 = 0, .padding1 = 0});
     }
     if (rectangles_.empty()) return;
 
-    const gl::BufferRange range = resources.stream.upload(std::span<const shared::LightRectangle>{rectangles_});
+    const gl::BufferRange range =
+        resources.stream.upload(std::span<const shared::LightRectangle>{rectangles_});
     graph.add_pass(
         "local lights",
         [&](PassBuilder& pass) {
             pass.test_depth(resources.depth);
-            for (const TextureHandle target : {resources.depth, resources.albedo, resources.normal, resources.surface}) {
+            for (const TextureHandle target :
+                 {resources.depth, resources.albedo, resources.normal, resources.surface}) {
                 pass.read(target);
             }
             resources.scene_colour = pass.write_colour(0, resources.scene_colour, LoadOp::load);

@@ -9,8 +9,8 @@
 
 namespace rambla::render {
 
-/// Adds the Frame's point and spot lights to `scene_colour`: one quad per light over its rectangle on the screen.
-/// Without lights that reach the screen there is no pass.
+/// Adds the Frame's point and spot lights to `scene_colour`: one quad per light over its rectangle on the
+/// screen. Without lights that reach the screen there is no pass.
 class LocalLightsPass {
 public:
     explicit LocalLightsPass(gl::ProgramRegistry& programs);

@@ -28,9 +28,11 @@ std::shared_ptr<const HudFont> current_font() {
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&texels, &width, &height);
     if (texels == copied_from && font) return font;
-    const auto bytes = std::as_bytes(std::span{texels, static_cast<std::size_t>(width) * static_cast<std::size_t>(height)});
+    const auto bytes =
+        std::as_bytes(std::span{texels, static_cast<std::size_t>(width) * static_cast<std::size_t>(height)});
     copied_from = texels;
-    font = std::make_shared<const HudFont>(HudFont{.size_px = {width, height}, .coverage = {bytes.begin(), bytes.end()}});
+    font = std::make_shared<const HudFont>(
+        HudFont{.size_px = {width, height}, .coverage = {bytes.begin(), bytes.end()}});
     return font;
 }
 
@@ -52,37 +54,46 @@ void append(HudDrawData& hud, const ImDrawList& list) {
 }
 
 /// The command's clip rectangle in the framebuffer. @return  false when nothing of it is left
-bool set_scissor(const HudDrawData& hud, const HudDrawData::Command& command, glm::vec2 scale, glm::uvec2 size) {
+bool set_scissor(const HudDrawData& hud, const HudDrawData::Command& command, glm::vec2 scale,
+                 glm::uvec2 size) {
     const glm::vec2 limit{size};
-    const glm::vec2 low = glm::clamp((glm::vec2{command.clip_px} - hud.origin_px) * scale, glm::vec2{0.0f}, limit);
-    const glm::vec2 high =
-        glm::clamp((glm::vec2{command.clip_px.z, command.clip_px.w} - hud.origin_px) * scale, glm::vec2{0.0f}, limit);
+    const glm::vec2 low =
+        glm::clamp((glm::vec2{command.clip_px} - hud.origin_px) * scale, glm::vec2{0.0f}, limit);
+    const glm::vec2 high = glm::clamp(
+        (glm::vec2{command.clip_px.z, command.clip_px.w} - hud.origin_px) * scale, glm::vec2{0.0f}, limit);
     if (!(low.x < high.x && low.y < high.y)) return false;
-    glScissor(static_cast<GLint>(low.x), static_cast<GLint>(limit.y - high.y), static_cast<GLsizei>(high.x - low.x),
-              static_cast<GLsizei>(high.y - low.y));
+    glScissor(static_cast<GLint>(low.x), static_cast<GLint>(limit.y - high.y),
+              static_cast<GLsizei>(high.x - low.x), static_cast<GLsizei>(high.y - low.y));
     return true;
 }
 
 }  // namespace
 
 std::shared_ptr<const void> clone_hud(const ImDrawData& data) {
-    if (!data.Valid || data.TotalIdxCount == 0 || data.DisplaySize.x <= 0.0f || data.DisplaySize.y <= 0.0f) return {};
+    if (!data.Valid || data.TotalIdxCount == 0 || data.DisplaySize.x <= 0.0f || data.DisplaySize.y <= 0.0f)
+        return {};
     auto hud = std::make_shared<HudDrawData>();
     hud->origin_px = {data.DisplayPos.x, data.DisplayPos.y};
     hud->size_px = {data.DisplaySize.x, data.DisplaySize.y};
     hud->vertices.reserve(static_cast<std::size_t>(data.TotalVtxCount));
     hud->indices.reserve(static_cast<std::size_t>(data.TotalIdxCount));
-    for (int i = 0; i < data.CmdListsCount; ++i) append(*hud, *data.CmdLists[i]);
+    for (int i = 0; i < data.CmdListsCount; ++i)
+        append(*hud, *data.CmdLists[i]);
     hud->font = current_font();
     return hud;
 }
 
 HudPass::HudPass(gl::ProgramRegistry& programs)
-    : program_{programs.get(
-          {.name = "hud", .vertex = "hud.vert.glsl", .fragment = "hud.frag.glsl", .compute = {}, .defines = {}})},
+    : program_{programs.get({.name = "hud",
+                             .vertex = "hud.vert.glsl",
+                             .fragment = "hud.frag.glsl",
+                             .compute = {},
+                             .defines = {}})},
       vertices_{"hud"} {
-    vertices_.attribute({.location = k_position, .components = 2, .offset = offsetof(HudDrawData::Vertex, position_px)});
-    vertices_.attribute({.location = k_glyph_uv, .components = 2, .offset = offsetof(HudDrawData::Vertex, glyph_uv)});
+    vertices_.attribute(
+        {.location = k_position, .components = 2, .offset = offsetof(HudDrawData::Vertex, position_px)});
+    vertices_.attribute(
+        {.location = k_glyph_uv, .components = 2, .offset = offsetof(HudDrawData::Vertex, glyph_uv)});
     vertices_.attribute({.location = k_colour,
                          .components = 4,
                          .type = GL_UNSIGNED_BYTE,
@@ -96,7 +107,8 @@ void HudPass::use_font(const std::shared_ptr<const HudFont>& font) {
     glyphs_ = gl::Texture{"hud glyphs", {.format = GL_R8, .size = font->size_px}};
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(glyphs_.name(), 0, 0, 0, static_cast<GLsizei>(font->size_px.x),
-                        static_cast<GLsizei>(font->size_px.y), GL_RED, GL_UNSIGNED_BYTE, font->coverage.data());
+                        static_cast<GLsizei>(font->size_px.y), GL_RED, GL_UNSIGNED_BYTE,
+                        font->coverage.data());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
@@ -104,7 +116,8 @@ void HudPass::add(RenderGraph& graph, FrameResources& resources) {
     const auto* hud = static_cast<const HudDrawData*>(resources.frame.hud.get());
     if (hud == nullptr || hud->commands.empty() || !hud->font) return;
     use_font(hud->font);
-    const gl::BufferRange vertices = resources.stream.upload(std::span<const HudDrawData::Vertex>{hud->vertices});
+    const gl::BufferRange vertices =
+        resources.stream.upload(std::span<const HudDrawData::Vertex>{hud->vertices});
     const gl::BufferRange indices = resources.stream.upload(std::span<const std::uint16_t>{hud->indices});
     graph.add_pass(
         "hud",
@@ -112,7 +125,8 @@ void HudPass::add(RenderGraph& graph, FrameResources& resources) {
             resources.backbuffer = pass.write_colour(0, resources.backbuffer, LoadOp::load);
         },
         [this, &resources, hud, vertices, indices](PassContext& context) {
-            glVertexArrayVertexBuffer(vertices_.name(), 0, vertices.buffer, vertices.offset, sizeof(HudDrawData::Vertex));
+            glVertexArrayVertexBuffer(vertices_.name(), 0, vertices.buffer, vertices.offset,
+                                      sizeof(HudDrawData::Vertex));
             vertices_.index_buffer(indices.buffer);
             vertices_.bind();
             glBindTextureUnit(UNIT_PASS, glyphs_.name());
@@ -128,9 +142,11 @@ void HudPass::add(RenderGraph& graph, FrameResources& resources) {
             const glm::vec2 framebuffer_scale = glm::vec2{context.size()} / hud->size_px;
             for (const HudDrawData::Command& command : hud->commands) {
                 if (!set_scissor(*hud, command, framebuffer_scale, context.size())) continue;
-                const auto first = static_cast<std::uintptr_t>(indices.offset) + command.first_index * sizeof(std::uint16_t);
-                glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.index_count), GL_UNSIGNED_SHORT,
-                                         reinterpret_cast<const void*>(first), command.base_vertex);
+                const auto first =
+                    static_cast<std::uintptr_t>(indices.offset) + command.first_index * sizeof(std::uint16_t);
+                glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.index_count),
+                                         GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(first),
+                                         command.base_vertex);
                 ++resources.counts.draws;
                 ++resources.counts.calls;
                 resources.counts.triangles += command.index_count / 3;

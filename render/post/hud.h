@@ -21,8 +21,8 @@ struct HudFont {
     std::vector<std::byte> coverage;  ///< one byte per texel, top row first
 };
 
-/// Triangles of an interface, copied out of Dear ImGui so that another thread can draw them while the next interface
-/// is being built: nothing here refers to an ImGui context.
+/// Triangles of an interface, copied out of Dear ImGui so that another thread can draw them while the next
+/// interface is being built: nothing here refers to an ImGui context.
 struct HudDrawData {
     struct Vertex {
         glm::vec2 position_px;
@@ -43,8 +43,8 @@ struct HudDrawData {
     std::shared_ptr<const HudFont> font;
 };
 
-/// Copies what ImGui::Render() made, for Frame::hud. Call it in the thread of ImGui's current context. The interface
-/// draws with its font's texture alone (no pictures) and without callbacks.
+/// Copies what ImGui::Render() made, for Frame::hud. Call it in the thread of ImGui's current context. The
+/// interface draws with its font's texture alone (no pictures) and without callbacks.
 /// @return  a HudDrawData; null when there is nothing to draw
 [[nodiscard]] std::shared_ptr<const void> clone_hud(const ImDrawData& data);
 

@@ -11,17 +11,17 @@ struct Surface {
 
 /// Reflectance of glass, plastic, stone: index of refraction 1.5.
 const float k_dielectric_f0 = 0.04;
-/// A mirror's highlight of a point-like sun would be infinitely small and bright; this one's peak, 1/(π·α²) = 7.8e4,
-/// still fits a half float once multiplied by the visibility term at normal incidence (1/4).
+/// A mirror's highlight of a point-like sun would be infinitely small and bright; this one's distribution peaks at
+/// 1/(π·α²) = 7.8e4. Seen head-on that fits a half float; at grazing angles storable_radiance() saturates it.
 const float k_min_roughness = 0.045;
 
 Surface make_surface(vec3 normal, vec3 base_colour, float roughness, float metalness, float occlusion) {
-    return Surface(normal, base_colour * (1.0 - metalness), mix(vec3(k_dielectric_f0), base_colour, metalness),
-                   clamp(roughness, k_min_roughness, 1.0), occlusion);
+    vec3 f0 = mix(vec3(k_dielectric_f0), base_colour, metalness);
+    return Surface(normal, base_colour * (1.0 - metalness), f0, clamp(roughness, k_min_roughness, 1.0), occlusion);
 }
 
-/// GGX distribution, α²/(π·((N·H)²(α² − 1) + 1)²). The bracket loses all digits for N·H → 1 and small α, so it is
-/// computed as α²(N·H)² + |N×H|², the same by Lagrange's identity, and never 0 for unit vectors.
+/// GGX distribution, α²/(π·((N·H)²(α² − 1) + 1)²). The bracket loses all digits for N·H → 1 and small α, so
+/// it is computed as α²(N·H)² + |N×H|², the same by Lagrange's identity, and never 0 for unit vectors.
 float distribution_ggx(vec3 n, vec3 h, float alpha) {
     vec3 n_cross_h = cross(n, h);
     float n_dot_h = dot(n, h);
@@ -49,9 +49,9 @@ vec3 fresnel_schlick(vec3 f0, float v_dot_h) {
 /// Views from behind a mapped or interpolated normal are treated as grazing ones.
 const float k_min_n_dot_v = 1e-4;
 
-/// Reflected radiance per unit of illuminance on a plane across the light: BRDF · cos θ.
-/// 0 for light from behind. With L = −V there is no half vector; F is then at grazing and D is 0, which the fallback
-/// H = N states without a division by 0.
+/// Reflected radiance per unit of illuminance on a plane across the light: BRDF · cos θ. 0 for light from
+/// behind. With L = −V there is no half vector; F is then at grazing and D is 0, which the fallback H = N
+/// states without a division by 0.
 /// @param v, l  unit vectors from the surface to the eye and to the light
 vec3 reflected(Surface s, vec3 v, vec3 l) {
     float n_dot_l = dot(s.normal, l);

@@ -5,15 +5,15 @@ float luminance(vec3 linear_light) {
     return dot(linear_light, vec3(0.2126, 0.7152, 0.0722));
 }
 
-/// Radiance as a half float can hold it: negative and non-finite inputs become 0, overflow saturates.
+/// Radiance as a half float can hold it: NaN and negative values become 0, overflow and infinity saturate.
 /// The comparison is false for NaN, which is the point of writing it so.
 vec3 storable_radiance(vec3 radiance) {
     return mix(vec3(0.0), min(radiance, vec3(k_max_radiance)), greaterThan(radiance, vec3(0.0)));
 }
 
-/// Linear light in [0, 1] to sRGB. The power segment 1.055·x^(1/2.4) − 0.055 is a minimax fit in x^(1/2), x^(1/4),
-/// x^(1/8) and x (Lawson's iteration, 300 points in geometric progression): off by at most 0.0113/255, and four times as
-/// fast as pow on a CPU. Ends are exact: 0 maps to 0, and 1 to 1 after the clamp.
+/// Linear light in [0, 1] to sRGB. The power segment 1.055·x^(1/2.4) − 0.055 is a minimax fit in x^(1/2),
+/// x^(1/4), x^(1/8) and x (Lawson's iteration, 300 points in geometric progression): off by at most 0.0113/255,
+/// without the pow that a software rasteriser is slow at. Ends are exact: 0 maps to 0, and 1 to 1 after the clamp.
 vec3 encode_srgb(vec3 linear_light) {
     vec3 x = clamp(linear_light, 0.0, 1.0);
     vec3 root2 = sqrt(x);

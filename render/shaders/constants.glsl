@@ -1,5 +1,5 @@
 const float k_pi = 3.14159265358979;
 
-/// Largest radiance that is written to half-float targets: below the format's 65504, so that blending two of them
-/// saturates in the blend unit's float arithmetic and not in a shader.
+/// Largest radiance that a shader writes to half-float targets, whose own limit is 65504. Blended sums of several
+/// such values may still reach infinity, which tone mapping shows as white.
 const float k_max_radiance = 60000.0;

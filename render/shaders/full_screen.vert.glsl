@@ -1,5 +1,5 @@
-// One triangle over the whole viewport, from gl_VertexID 0…2, at infinity (depth 0): a depth test of GL_LESS keeps
-// the pixels that show geometry, GL_EQUAL those that show sky.
+// One triangle over the whole viewport, from gl_VertexID 0…2, at infinity (depth 0): a depth test of GL_LESS
+// keeps the pixels that show geometry, GL_EQUAL those that show sky.
 out vec2 uv;
 
 void main() {

@@ -1,13 +1,14 @@
-// Fast approximate anti-aliasing: our implementation of the method of Lottes 2009, "FXAA" (NVIDIA white paper).
+// Fast approximate anti-aliasing: our implementation of the method of Lottes 2009, "FXAA" (NVIDIA white
+// paper).
 //
 //   1. Where the luma of a pixel and its neighbours hardly differs, the pixel stays as it is.
-//   2. An edge runs along rows or columns, whichever bends the luma more across it; it lies on the side of the pixel
-//      where luma changes most.
-//   3. Walking along that side, half way between the two pixel rows, the mean luma tells where the edge ends on either
-//      hand. The nearer end and the length give how much of the pixel a straight edge would cover: the pixel is
-//      sampled that far across it, by the bilinear filter.
-//   4. Single pixels and thin lines have no ends to find; their contrast to the mean of all neighbours gives a second
-//      offset. The larger of the two is taken.
+//   2. An edge runs along rows or columns, whichever bends the luma more across it; it lies on the side of the
+//      pixel where luma changes most.
+//   3. Walking along that side, half way between the two pixel rows, the mean luma tells where the edge ends on
+//      either hand. The nearer end and the length give how much of the pixel a straight edge would cover: the
+//      pixel is sampled that far across it, by the bilinear filter.
+//   4. Single pixels and thin lines have no ends to find; their contrast to the mean of all neighbours gives a
+//      second offset. The larger of the two is taken.
 #include "render/shaders/shared/bindings.h"
 
 layout(binding = UNIT_PASS) uniform sampler2D display;  ///< linear filter; luma in alpha
@@ -15,7 +16,8 @@ layout(binding = UNIT_PASS) uniform sampler2D display;  ///< linear filter; luma
 in vec2 uv;
 layout(location = 0) out vec4 out_colour;
 
-/// Contrast below this share of the brightest neighbour, or below this luma, is texture and noise, not an edge.
+/// Contrast below this share of the brightest neighbour, or below this luma, is texture and noise, not an
+/// edge.
 const float k_relative_threshold = 0.125;
 const float k_absolute_threshold = 0.0312;
 /// How strongly lone pixels are blurred: 0 not at all, 1 into the mean of their neighbours.
@@ -28,7 +30,8 @@ float luma_at(vec2 place) {
     return textureLod(display, place, 0.0).a;
 }
 
-/// Distance from the pixel to the edge's end in one direction, and how the mean luma there differs from the edge's own.
+/// Distance from the pixel to the edge's end in one direction, and how the mean luma there differs from the
+/// edge's own.
 /// @param along  one texel along the edge
 vec2 search_end(vec2 start, vec2 along, float edge_luma, float end_contrast) {
     float distance_px = 0.0;

@@ -10,14 +10,15 @@ layout(location = 3) out vec3 out_emission;
 #endif
 
 void main() {
-    Material m = materials[fragment.material];
+    Material m = materials[varyings.material];
     vec4 base = sample_base_colour(m);
 #if ALPHA_MASK
     if (base.a < m.emissive_cutoff.a) discard;
 #endif
     vec3 normal = interpolated_normal();
 #if DETAIL
-    if ((m.flags & k_material_has_normal_texture) != 0u) normal = mapped_normal(m, normal);
+    vec3 mapped = mapped_normal(m, normal);  // outside any branch: its texture needs derivatives
+    normal = (m.flags & k_material_has_normal_texture) != 0u ? mapped : normal;
 #endif
     bool unlit = (m.flags & k_material_unlit) != 0u;
     vec3 surface = sample_surface(m);

@@ -24,7 +24,8 @@ vec3 world_position(ivec2 pixel) {
     return mat3(frame.world_from_view) * view_position(uv, depth, frame.unprojection, frame.depth_scale);
 }
 
-/// Towards the eye from a point that is seen; all the same way in an orthographic view. The eye itself looks ahead.
+/// Towards the eye from a point that is seen; all the same way in an orthographic view. The eye itself looks
+/// ahead.
 vec3 direction_to_eye(vec3 position) {
     float length2 = dot(position, position);
     bool orthographic = frame.counts.y != 0u;

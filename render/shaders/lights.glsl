@@ -1,5 +1,5 @@
-/// Share of a light's illuminance·m² that arrives at a distance: 1/d² inside the window max(0, 1 − (d/r)⁴)², which
-/// ends at the light's radius without a kink. Karis 2013, "Real shading in Unreal Engine 4", eq. 9.
+/// Share of a light's illuminance·m² that arrives at a distance: 1/d² inside the window max(0, 1 − (d/r)⁴)²,
+/// which ends at the light's radius without a kink. Karis 2013, "Real shading in Unreal Engine 4", eq. 9.
 
 /// Lamps are not points: no surface comes nearer to their middle than this, which also keeps 1/d² finite.
 const float k_min_distance_m = 0.01;

@@ -1,5 +1,5 @@
-// One quad per light over its rectangle on the screen, as a strip of vertices 0…3, at the depth where the light
-// ends: a depth test keeps the pixels before it, and no sky.
+// One quad per light over its rectangle on the screen, as a strip of vertices 0…3, at the depth where the
+// light ends: a depth test keeps the pixels before it, and no sky.
 #include "render/shaders/shared/bindings.h"
 #include "render/shaders/shared/light_rectangle.h"
 

@@ -1,4 +1,4 @@
-// Vertices of the G-buffer and blend passes.
+// Vertices of the G-buffer and blend passes. Defines: those of material.glsl.
 #include "frame.glsl"
 #include "scene_buffers.glsl"
 
@@ -9,34 +9,36 @@ layout(location = ATTRIBUTE_UV0) in vec2 uv0;
 layout(location = ATTRIBUTE_UV1) in vec2 uv1;
 layout(location = ATTRIBUTE_COLOUR) in vec4 vertex_colour;
 
-out MeshVaryings {
-    vec3 position;
-    vec3 normal;
-    vec4 tangent;
-    vec2 uv0;
-    vec2 uv1;
-    vec4 colour;
-    flat uint material;
-} vertex;
+#define VARYING out
+#include "mesh_varyings.glsl"
 
 void main() {
     Instance instance = instances[gl_BaseInstanceARB + gl_InstanceID];
     vec3 world = world_from_local(instance, local_position);
     gl_Position = frame.clip_from_world * vec4(world, 1.0);
 
-    // Normals transform by the inverse transpose, which is the cofactor matrix over the determinant; of the latter
-    // only the sign matters here, and a singular matrix needs no division.
+    // Normals transform by the inverse transpose, which is the cofactor matrix over the determinant; of the
+    // latter only the sign matters here, and a singular matrix needs no division.
     vec3 r0 = instance.row0.xyz, r1 = instance.row1.xyz, r2 = instance.row2.xyz;
     float handedness = dot(r0, cross(r1, r2)) < 0.0 ? -1.0 : 1.0;
     vec3 cofactor_normal = vec3(dot(cross(r1, r2), local_normal), dot(cross(r2, r0), local_normal),
                                 dot(cross(r0, r1), local_normal));
-    vertex.position = world;
+    varyings.position = world;
     // Scaled to the length 1 here so that interpolation weighs all three corners alike.
-    vertex.normal = handedness * cofactor_normal * inversesqrt(max(dot(cofactor_normal, cofactor_normal), 1e-30));
-    vertex.tangent = vec4(dot(r0, local_tangent.xyz), dot(r1, local_tangent.xyz), dot(r2, local_tangent.xyz),
-                          handedness * local_tangent.w);
-    vertex.uv0 = uv0;
-    vertex.uv1 = uv1;
-    vertex.colour = vertex_colour;
-    vertex.material = material_row(instance);
+    float length2 = max(dot(cofactor_normal, cofactor_normal), 1e-30);
+    varyings.normal = handedness * cofactor_normal * inversesqrt(length2);
+    vec3 tangent = vec3(dot(r0, local_tangent.xyz), dot(r1, local_tangent.xyz), dot(r2, local_tangent.xyz));
+    varyings.tangent = vec4(tangent, handedness * local_tangent.w);
+    varyings.colour = vertex_colour;
+    varyings.material = material_row(instance);
+    Material m = materials[varyings.material];
+    varyings.base_colour_uv = transformed_uv(m.base_colour_uv, uv0, uv1);
+#if DETAIL
+    varyings.metalness_roughness_uv = transformed_uv(m.metalness_roughness_uv, uv0, uv1);
+    varyings.normal_uv = transformed_uv(m.normal_uv, uv0, uv1);
+    varyings.occlusion_uv = transformed_uv(m.occlusion_uv, uv0, uv1);
+#endif
+#if EMISSION
+    varyings.emissive_uv = transformed_uv(m.emissive_uv, uv0, uv1);
+#endif
 }

@@ -1,5 +1,5 @@
-/// Unit vectors as points of a square: the octahedron |x| + |y| + |z| = 1 with its lower half folded outwards.
-/// Meyer et al. 2010, "On floating-point normal vectors".
+/// Unit vectors as points of a square: the octahedron |x| + |y| + |z| = 1 with its lower half folded
+/// outwards. Meyer et al. 2010, "On floating-point normal vectors".
 
 /// −1 or 1; never 0, so that folding keeps vectors on the axes.
 vec2 sign_not_zero(vec2 v) {
@@ -22,7 +22,8 @@ vec3 unit_from_octahedral(vec2 p) {
     return normalize(n);
 }
 
-/// For 16-bit UNORM channels: 65535 steps would put 0 between two of them, so one is given away and the axes are exact.
+/// For 16-bit UNORM channels: 65535 steps would put 0 between two of them, so one is given away and the axes
+/// are exact.
 vec2 unorm16_from_octahedral(vec2 p) {
     return (p * 32767.0 + 32767.0) / 65535.0;
 }

@@ -1,7 +1,8 @@
 #include "render/shaders/shared/sun_shadow.h"
 
-/// Percentage-closer filtering (Reeves et al. 1987) of a depth map whose comparison yields 1 for lit. Both kernels
-/// follow the point continuously between texels: each texel's weight is a piecewise linear function of it.
+/// Percentage-closer filtering (Reeves et al. 1987) of a depth map whose comparison yields 1 for lit. Both
+/// kernels follow the point continuously between texels: each texel's weight is a piecewise linear function
+/// of it.
 
 /// Four comparisons: one gather, bilinear weights. Reaches 1 texel on each axis.
 float shadow_pcf_4(sampler2DShadow map, vec2 uv, float depth, vec4 size_texels) {
@@ -32,10 +33,11 @@ float shadow_pcf_16(sampler2DShadow map, vec2 uv, float depth, vec4 size_texels)
 
 /// Where to look up a surface point, so that it does not shadow itself.
 ///
-/// A filter that reaches r texels compares the point with the depth of its own plane up to r texels aside, which on a
-/// slope θ lies r·texel·tan θ nearer to the sun. A point lifted by o along the normal is o/cos θ above its plane as
-/// the light sees it: o = r·texel·sin θ is just enough at any slope. bias_m.x holds r·texel.
-/// Mapped normals are steeper or flatter than the plane: the floor under sin θ covers tilts of up to 20°.
+/// A filter that reaches r texels compares the point with the depth of its own plane up to r texels aside,
+/// which on a slope θ lies r·texel·tan θ nearer to the sun. A point lifted by o along the normal is o/cos θ
+/// above its plane as the light sees it: o = r·texel·sin θ is just enough at any slope. bias_m.x holds
+/// r·texel. Mapped normals are steeper or flatter than the plane: the floor under sin θ covers tilts of up to
+/// 20°.
 vec3 shadow_receiver(vec3 position, vec3 normal, vec3 to_sun, vec4 bias_m) {
     const float min_sine = 0.35;
     float cosine = clamp(dot(normal, to_sun), 0.0, 1.0);

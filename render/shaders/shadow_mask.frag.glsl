@@ -8,5 +8,6 @@ in float mask_alpha;
 flat in uint mask_material;
 
 void main() {
-    if (mask_alpha * texture(base_colour_texture, mask_uv).a < materials[mask_material].emissive_cutoff.a) discard;
+    float alpha = mask_alpha * texture(base_colour_texture, mask_uv).a;
+    if (alpha < materials[mask_material].emissive_cutoff.a) discard;
 }

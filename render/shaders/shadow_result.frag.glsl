@@ -14,7 +14,8 @@ void main() {
     vec3 position = world_position(pixel);
     vec3 normal = normal_from_stored(texelFetch(normal_target, pixel, 0).xy);
     vec3 to_sun = frame.direction_to_sun.xyz;
-    vec3 place = (shadow.map_from_world * vec4(shadow_receiver(position, normal, to_sun, shadow.bias_m), 1.0)).xyz;
+    vec3 point = shadow_receiver(position, normal, to_sun, shadow.bias_m);
+    vec3 place = (shadow.map_from_world * vec4(point, 1.0)).xyz;
 #if TAPS == 16
     float lit = shadow_pcf_16(sun_shadow_map, place.xy, place.z, shadow.size_texels);
 #else

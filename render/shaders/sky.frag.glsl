@@ -6,11 +6,12 @@
 in vec2 uv;
 layout(location = 0) out vec4 out_radiance;
 
-/// Angular radius of the sun, widened a little by its aureole: 0.2665° is the disc, the rim fades over as much again.
+/// Angular radius of the sun, widened a little by its aureole: 0.2665° is the disc, the rim fades over as
+/// much again.
 const float k_cos_disc = 0.99998918;
 const float k_cos_rim = 0.99995673;
-/// The disc's true radiance, E/(π·sin² 0.2665°), is 15 000 times that of a white wall; shown is enough to be white
-/// under any curve at usual exposures, and little enough not to swamp a half float.
+/// The disc's true radiance, E/(π·sin² 0.2665°), is 15 000 times that of a white wall; shown is enough to be
+/// white under any curve at usual exposures, and little enough not to swamp a half float.
 const float k_disc_radiance_per_illuminance = 40.0;
 /// Light scattered forwards around the sun, as a share of its illuminance.
 const float k_glow_per_illuminance = 0.06;

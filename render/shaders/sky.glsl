@@ -1,8 +1,8 @@
 #include "constants.glsl"
 
-/// The surroundings as three radiances: a sky that runs from horizon to zenith as the square root of the direction's
-/// height, over a ground of even brightness. Simple enough to integrate by hand, so that what is seen, what is
-/// mirrored and what lights walls is one and the same sky.
+/// The surroundings as three radiances: a sky that runs from horizon to zenith as the square root of the
+/// direction's height, over a ground of even brightness. Simple enough to integrate by hand, so that what is
+/// seen, what is mirrored and what lights walls is one and the same sky.
 struct Surroundings {
     vec3 zenith;
     vec3 horizon;
@@ -16,16 +16,19 @@ vec3 upper_sky(Surroundings s, float height) {
 
 /// What the eye sees, the sun's disc excepted. The ground far away fades into the horizon's haze.
 const float k_haze_height = 0.06;
+const float k_far_ground_share = 0.75;
 
 vec3 sky_radiance(Surroundings s, vec3 direction) {
     float depth_below = clamp(-direction.y / k_haze_height, 0.0, 1.0);
-    return mix(upper_sky(s, direction.y), mix(s.horizon, s.ground, 0.75), depth_below * depth_below * (3.0 - 2.0 * depth_below));
+    float below = depth_below * depth_below * (3.0 - 2.0 * depth_below);
+    return mix(upper_sky(s, direction.y), mix(s.horizon, s.ground, k_far_ground_share), below);
 }
 
 /// Irradiance over π on a surface with this normal: its diffuse ambient light per unit of albedo.
 ///
-/// Half of what a wall sees is sky, in general (1 + n.y)/2. Of √height, the cosine-weighted mean over the visible part
-/// of the sky is ∫√y·2y dy = 0.8 facing up, and (4/π)·∫√y·√(1 − y²) dy = 0.610 facing sideways; between and below, a line.
+/// Half of what a wall sees is sky, in general (1 + n.y)/2. Of √height, the cosine-weighted mean over the
+/// visible part of the sky is ∫√y·2y dy = 0.8 facing up, and (4/π)·∫√y·√(1 − y²) dy = 0.610 facing sideways;
+/// between and below, a line.
 vec3 diffuse_ambient(Surroundings s, vec3 normal) {
     const float facing_up = 0.8, facing_sideways = 0.610;
     float mean_root = mix(facing_sideways, facing_up, clamp(normal.y, -1.0, 1.0));

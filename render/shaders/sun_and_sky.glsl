@@ -4,7 +4,8 @@
 #include "sky.glsl"
 
 Surroundings frame_surroundings() {
-    return Surroundings(frame.sky_zenith_radiance.rgb, frame.sky_horizon_radiance.rgb, frame.ground_radiance.rgb);
+    return Surroundings(frame.sky_zenith_radiance.rgb, frame.sky_horizon_radiance.rgb,
+                        frame.ground_radiance.rgb);
 }
 
 vec3 sky_light(Surface s, vec3 to_eye) {

@@ -1,5 +1,5 @@
-/// Eye-space position of a pixel from its depth, for the projections of the engine: perspective with reversed Z and
-/// infinite far plane, orthographic with reversed linear Z.
+/// Eye-space position of a pixel from its depth, for the projections of the engine: perspective with reversed
+/// Z and infinite far plane, orthographic with reversed linear Z.
 ///
 /// Perspective: clip = (a·x + b·z, …, near, −z), so depth = near/(−z) and x = −z·(2·x_w − 1 + b)/a.
 /// Orthographic: x does not depend on z, which is linear in depth.

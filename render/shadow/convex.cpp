@@ -42,22 +42,26 @@ Polygon clip(const Polygon& polygon, const Plane& plane) {
     return clipped;
 }
 
-void add_faces(ConvexPoints& result, const std::array<glm::dvec3, 8>& body, const std::array<Plane, k_faces>& planes) {
+void add_faces(ConvexPoints& result, const std::array<glm::dvec3, 8>& body,
+               const std::array<Plane, k_faces>& planes) {
     for (const auto& quad : k_quads) {
         Polygon polygon;
-        for (const std::size_t corner : quad) polygon.add(body[corner]);
-        for (const Plane& plane : planes) polygon = clip(polygon, plane);
+        for (const std::size_t corner : quad)
+            polygon.add(body[corner]);
+        for (const Plane& plane : planes)
+            polygon = clip(polygon, plane);
         for (std::size_t i = 0; i < polygon.count; ++i) {
             result.points[result.count++] = glm::vec3{polygon.corners[i]};
         }
     }
 }
 
-/// Planes of a convex body's faces. A face that is no more than a line or a point (a slice that begins at the eye) has
-/// no plane and cuts nothing.
+/// Planes of a convex body's faces. A face that is no more than a line or a point (a slice that begins at the
+/// eye) has no plane and cuts nothing.
 std::array<Plane, k_faces> planes_of(const std::array<glm::dvec3, 8>& body) {
     glm::dvec3 centre{0.0};
-    for (const glm::dvec3& corner : body) centre += corner / 8.0;
+    for (const glm::dvec3& corner : body)
+        centre += corner / 8.0;
     std::array<Plane, k_faces> planes;
     for (std::size_t face = 0; face < k_faces; ++face) {
         const auto& quad = k_quads[face];
@@ -81,15 +85,16 @@ ConvexPoints intersect(const std::array<glm::vec3, 8>& hexahedron, const assets:
     const glm::dvec3 low{box.min};
     const glm::dvec3 high{box.max};
     std::array<glm::dvec3, 8> frustum;
-    for (std::size_t i = 0; i < 8; ++i) frustum[i] = glm::dvec3{hexahedron[i]};
+    for (std::size_t i = 0; i < 8; ++i)
+        frustum[i] = glm::dvec3{hexahedron[i]};
     const std::array<glm::dvec3, 8> corners{
-        glm::dvec3{low.x, low.y, low.z},  glm::dvec3{high.x, low.y, low.z},
+        glm::dvec3{low.x, low.y, low.z},    glm::dvec3{high.x, low.y, low.z},
         glm::dvec3{high.x, high.y, low.z},  glm::dvec3{low.x, high.y, low.z},
-        glm::dvec3{low.x, low.y, high.z}, glm::dvec3{high.x, low.y, high.z},
+        glm::dvec3{low.x, low.y, high.z},   glm::dvec3{high.x, low.y, high.z},
         glm::dvec3{high.x, high.y, high.z}, glm::dvec3{low.x, high.y, high.z}};
     const std::array<Plane, k_faces> box_planes{
-        Plane{{1.0, 0.0, 0.0}, -low.x}, Plane{{-1.0, 0.0, 0.0}, high.x}, Plane{{0.0, 1.0, 0.0}, -low.y},
-        Plane{{0.0, -1.0, 0.0}, high.y}, Plane{{0.0, 0.0, 1.0}, -low.z}, Plane{{0.0, 0.0, -1.0}, high.z}};
+        Plane{{1.0, 0.0, 0.0}, -low.x},  Plane{{-1.0, 0.0, 0.0}, high.x}, Plane{{0.0, 1.0, 0.0}, -low.y},
+        Plane{{0.0, -1.0, 0.0}, high.y}, Plane{{0.0, 0.0, 1.0}, -low.z},  Plane{{0.0, 0.0, -1.0}, high.z}};
     add_faces(result, frustum, box_planes);
     add_faces(result, corners, planes_of(frustum));
     return result;

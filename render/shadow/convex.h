@@ -9,8 +9,8 @@
 
 namespace rambla::render::shadow {
 
-/// Corners of the intersection of a hexahedron and a box: every corner of it is a corner of a face of one body
-/// clipped to the other, hence two times six quads, each clipped by six planes.
+/// Corners of the intersection of a hexahedron and a box: every corner of it is a corner of a face of one
+/// body clipped to the other, hence two times six quads, each clipped by six planes.
 struct ConvexPoints {
     std::array<glm::vec3, 12 * 10> points{};
     std::size_t count = 0;

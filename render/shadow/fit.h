@@ -23,26 +23,28 @@ struct SunFit {
     glm::mat4 clip_from_world{1.0f};  ///< depth 1 nearest to the sun, 0 farthest; always invertible
     glm::vec2 texel_m{1.0f};          ///< edges of a texel
     float depth_m = 1.0f;             ///< depth range
-    bool empty = true;  ///< no shadow can be seen: no receiver, no caster, or no finite input
+    bool empty = true;                ///< no shadow can be seen: no receiver, no caster, or no finite input
 };
 
 /// Corners of the part of the view between its near plane and `distance_m` along the view, in world axes:
-/// first the four of the near side, then those of the far side, both in the order −−, +−, ++, −+ of clip space.
+/// first the four of the near side, then those of the far side, both in the order −−, +−, ++, −+ of clip
+/// space.
 [[nodiscard]] std::array<glm::vec3, 8> frustum_slice(const systems::FrameView& view, float distance_m);
 
-/// Fits the map to frustum slice ∩ receivers ∩ casters (Brabec et al. 2002): as few metres per texel as what is seen
-/// allows. Only the extent across the light is cut to the casters; the depth range covers the receivers, and casters
-/// nearer to the sun are to be clamped to it.
+/// Fits the map to frustum slice ∩ receivers ∩ casters (Brabec et al. 2002): as few metres per texel as what
+/// is seen allows. Only the extent across the light is cut to the casters; the depth range covers the
+/// receivers, and casters nearer to the sun are to be clamped to it.
 ///
-/// The map's columns run along the view's direction as the sun sees it, so that a street fills it. Its corner lies on
-/// a grid fixed in the world and its texel size changes in steps of 2^(1/8): moving the eye without turning it moves
-/// the map by whole texels, and resting shadows rest.
+/// The map's columns run along the view's direction as the sun sees it, so that a street fills it. Its corner
+/// lies on a grid fixed in the world and its texel size changes in steps of 2^(1/8): moving the eye without
+/// turning it moves the map by whole texels, and resting shadows rest.
 ///
-/// Any input gives an invertible matrix: extents are at least a millimetre, and a view along the light takes the
-/// view's up direction instead of its own.
+/// Any input gives an invertible matrix: extents are at least a millimetre, and a view along the light takes
+/// the view's up direction instead of its own.
 [[nodiscard]] SunFit fit_sun_map(const FitInput& input, const systems::CasterColumns& casters);
 
 /// World box of one instance of a mesh. @param mesh_bounds  in the mesh's own space; empty stays empty
-[[nodiscard]] assets::Bounds instance_bounds(const systems::Instance& instance, const assets::Bounds& mesh_bounds);
+[[nodiscard]] assets::Bounds instance_bounds(const systems::Instance& instance,
+                                             const assets::Bounds& mesh_bounds);
 
 }  // namespace rambla::render::shadow

@@ -20,7 +20,8 @@ assets::Bounds visible_bounds(const FrameResources& resources) {
         for (const systems::DrawBatch& batch : batches) {
             const assets::Bounds& mesh = resources.scene.mesh(batch.mesh).bounds;
             for (std::uint32_t i = 0; i < batch.instance_count; ++i) {
-                bounds.expand(shadow::instance_bounds(resources.frame.instances[batch.first_instance + i], mesh));
+                bounds.expand(
+                    shadow::instance_bounds(resources.frame.instances[batch.first_instance + i], mesh));
             }
         }
     };
@@ -38,7 +39,8 @@ shared::SunShadow constants(const shadow::SunFit& fit, const ShadowParameters& p
     const float fade_m = k_fade_share * parameters.distance_m;
     return {.map_from_world = map_from_clip * fit.clip_from_world,
             .size_texels = {size, size, 1.0f / size, 1.0f / size},
-            .bias_m = {parameters.bias_texels * reach_texels * texel_m, k_towards_sun_texels * texel_m, 0.0f, 0.0f},
+            .bias_m = {parameters.bias_texels * reach_texels * texel_m, k_towards_sun_texels * texel_m, 0.0f,
+                       0.0f},
             .fade = {parameters.distance_m - fade_m, 1.0f / fade_m, 0.0f, 0.0f}};
 }
 
@@ -64,7 +66,8 @@ void FocusedShadowPass::cull_casters(const systems::CasterColumns& casters, cons
         volume.planes[k_plane_depth_one] = volume.planes[--volume.plane_count];
     }
     visible_.resize(casters.size());
-    systems::cull({casters.centre_x, casters.centre_y, casters.centre_z, casters.half_x, casters.half_y, casters.half_z},
+    systems::cull({casters.centre_x, casters.centre_y, casters.centre_z, casters.half_x, casters.half_y,
+                   casters.half_z},
                   {&volume, 1}, visible_);
     rows_.clear();
     for (std::uint32_t row = 0; row < visible_.size(); ++row) {
@@ -97,8 +100,8 @@ void FocusedShadowPass::add(RenderGraph& graph, FrameResources& resources) {
     graph.add_pass(
         "sun shadow map",
         [&](PassBuilder& pass) {
-            const TextureHandle map =
-                pass.create_texture("sun shadow map", {.format = GL_DEPTH_COMPONENT32F, .size = glm::uvec2{size}});
+            const TextureHandle map = pass.create_texture(
+                "sun shadow map", {.format = GL_DEPTH_COMPONENT32F, .size = glm::uvec2{size}});
             resources.shadow_map = pass.write_depth(map, LoadOp::clear);
         },
         [this, &resources, matrix](PassContext&) {
@@ -109,7 +112,8 @@ void FocusedShadowPass::add(RenderGraph& graph, FrameResources& resources) {
             glEnable(GL_DEPTH_CLAMP);
             const DrawCounts drawn = casters_.draw(
                 resources.scene, [this](systems::Pipeline pipeline, std::uint32_t) -> const gl::Program& {
-                    return pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask) ? masked_ : opaque_;
+                    return pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask) ? masked_
+                                                                                                : opaque_;
                 });
             glDisable(GL_DEPTH_CLAMP);
             resources.counts.draws += drawn.draws;

@@ -11,8 +11,9 @@
 
 namespace rambla::render {
 
-/// The sun's shadow map, fitted anew each frame to what the camera sees (shadow/fit.h). Makes `shadow_map` and
-/// `sun_shadow`; neither where no shadow can fall: no sun, shadows off, nothing seen or nothing to throw one.
+/// The sun's shadow map, fitted anew each frame to what the camera sees (shadow/fit.h). Makes `shadow_map`
+/// and `sun_shadow`; neither where no shadow can fall: no sun, shadows off, nothing seen or nothing to throw
+/// one.
 class FocusedShadowPass {
 public:
     explicit FocusedShadowPass(gl::ProgramRegistry& programs);

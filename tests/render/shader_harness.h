@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,23 @@
 #include "render/shader_source.h"
 
 namespace rambla::tests {
+
+using Inputs = std::vector<glm::vec4>;
+
+struct Random {
+    std::mt19937 engine{11};
+    std::normal_distribution<float> normal;
+    std::uniform_real_distribution<float> uniform{0.0f, 1.0f};
+
+    glm::vec3 direction() {
+        return glm::normalize(glm::vec3{normal(engine), normal(engine), normal(engine)});
+    }
+    float operator()() { return uniform(engine); }
+};
+
+inline void add(Inputs& inputs, glm::vec4 a, glm::vec4 b = {}, glm::vec4 c = {}, glm::vec4 d = {}) {
+    inputs.insert(inputs.end(), {a, b, c, d});
+}
 
 /// Runs functions of the real shader library on the GPU over arrays of inputs.
 class ShaderHarness {
@@ -49,7 +67,8 @@ public:
         glDispatchCompute(static_cast<GLuint>((items + 63) / 64), 1, 1);
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         std::vector<glm::vec4> result(items);
-        glGetNamedBufferSubData(output.name(), 0, static_cast<GLsizeiptr>(items * sizeof(glm::vec4)), result.data());
+        glGetNamedBufferSubData(output.name(), 0, static_cast<GLsizeiptr>(items * sizeof(glm::vec4)),
+                                result.data());
         context_.check_errors();
         return result;
     }

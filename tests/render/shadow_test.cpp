@@ -13,8 +13,8 @@ using tests::only_sun;
 using tests::Picture;
 using tests::Stage;
 
-/// A floor 20 m wide seen from straight above, one pixel 0.1 m, north (−Z) up; and a square board 2 m wide that
-/// hovers 2 m above its middle.
+/// A floor 20 m wide seen from straight above, one pixel 0.1 m, north (−Z) up; and a square board 2 m wide
+/// that hovers 2 m above its middle.
 struct Court {
     Court() {
         stage.frame.view.size_px = {200, 200};
@@ -40,7 +40,8 @@ struct Court {
 std::vector<float> profile(const Picture& picture, float z, float lit) {
     std::vector<float> row;
     const auto y = static_cast<std::uint32_t>((z + 10.0f) / Court::k_pixel_m);
-    for (std::uint32_t x = 0; x < picture.size.x; ++x) row.push_back(picture.radiance(x, y).x / lit);
+    for (std::uint32_t x = 0; x < picture.size.x; ++x)
+        row.push_back(picture.radiance(x, y).x / lit);
     return row;
 }
 
@@ -67,7 +68,8 @@ TEST(SunShadow, EdgesLieWhereGeometryPutsThem) {
         const std::vector<float> row = profile(picture, 0.5f, lit);
         EXPECT_GT(lit, 0.3f);
         EXPECT_NEAR(row[140], 0.0f, 1e-3f) << "the shadow's middle";
-        // Normal offset moves the edge by 1.5·2 texels of 2 cm times sin θ · tan θ, i.e. 0.1 m here; a pixel is 0.1 m.
+        // Normal offset moves the edge by 1.5·2 texels of 2 cm times sin θ · tan θ, i.e. 0.1 m here; a pixel
+        // is 0.1 m.
         const float tolerance_m = 1.5f * Court::k_pixel_m;
         EXPECT_NEAR(crossing(row, 140, 1), 5.0f, tolerance_m) << taps;
         EXPECT_NEAR(crossing(row, 140, -1), 3.0f, tolerance_m) << taps;
@@ -112,7 +114,8 @@ TEST(SunShadow, LeavesNoAcneOnSlopes) {
         const float lit = picture.radiance(100, 100).x;
         for (std::uint32_t y = 15; y < 185; ++y) {
             for (std::uint32_t x = 15; x < 185; ++x) {
-                ASSERT_NEAR(picture.radiance(x, y).x, lit, 0.02f * lit) << x << " " << y << " height " << sun_height;
+                ASSERT_NEAR(picture.radiance(x, y).x, lit, 0.02f * lit)
+                    << x << " " << y << " height " << sun_height;
             }
         }
     }
@@ -138,7 +141,8 @@ TEST(SunShadow, OfCastersFarTowardsTheSunIsKept) {
     Court court;
     // 500 m up, far outside the depth range that the floor needs: clamped, not lost.
     court.stage.place(court.square, court.white,
-                      glm::translate(glm::mat4{1.0f}, {0, 500, 0}) * court.flat * glm::scale(glm::mat4{1.0f}, glm::vec3{3.0f}));
+                      glm::translate(glm::mat4{1.0f}, {0, 500, 0}) * court.flat *
+                          glm::scale(glm::mat4{1.0f}, glm::vec3{3.0f}));
     court.stage.frame.environment = only_sun({0, 1, 0});
     court.stage.things.back().world_from_local[3].x = 0.0f;
     court.stage.look_flat({0, 30, 0}, {0, 0, 0}, 10.0f, {0, 0, -1});
@@ -153,7 +157,9 @@ TEST(SunShadow, FadesOutAtItsDistance) {
     const std::uint32_t white = stage.material(matte());
     const glm::mat4 flat = glm::rotate(glm::mat4{1.0f}, -1.5707963f, {1, 0, 0});
     stage.place(square, white, flat * glm::scale(glm::mat4{1.0f}, glm::vec3{200.0f}));
-    stage.place(square, white, glm::translate(glm::mat4{1.0f}, {0, 20, 0}) * flat * glm::scale(glm::mat4{1.0f}, glm::vec3{200.0f}));
+    stage.place(
+        square, white,
+        glm::translate(glm::mat4{1.0f}, {0, 20, 0}) * flat * glm::scale(glm::mat4{1.0f}, glm::vec3{200.0f}));
     stage.frame.environment = only_sun({0, 1, 0});
     stage.settings.shadows.distance_m = 50.0f;
     stage.look({0, 5, 0}, {0, 3, -20});

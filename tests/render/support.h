@@ -20,7 +20,9 @@ struct Picture {
     std::vector<std::uint8_t> bytes;  ///< display, RGBA
     systems::Feedback feedback;
 
-    [[nodiscard]] glm::vec3 radiance(std::uint32_t x, std::uint32_t y) const { return glm::vec3{linear[y * size.x + x]}; }
+    [[nodiscard]] glm::vec3 radiance(std::uint32_t x, std::uint32_t y) const {
+        return glm::vec3{linear[y * size.x + x]};
+    }
     [[nodiscard]] glm::ivec3 display(std::uint32_t x, std::uint32_t y) const {
         const std::uint8_t* texel = &bytes[4 * (std::size_t{y} * size.x + x)];
         return {texel[0], texel[1], texel[2]};
@@ -33,8 +35,8 @@ struct Picture {
     }
 };
 
-/// A small world: meshes and materials, things placed in it, a camera, and pictures of it. Positions are in the world;
-/// the stage makes them relative to the camera, as packing does.
+/// A small world: meshes and materials, things placed in it, a camera, and pictures of it. Positions are in
+/// the world; the stage makes them relative to the camera, as packing does.
 class Stage {
 public:
     Stage() {
@@ -47,12 +49,14 @@ public:
         return static_cast<std::uint32_t>(scene.materials.size() - 1);
     }
     std::uint32_t mesh(assets::Mesh m) {
-        for (const glm::vec3& p : m.positions) m.bounds.expand(p);
+        for (const glm::vec3& p : m.positions)
+            m.bounds.expand(p);
         scene.meshes.push_back(std::move(m));
         return static_cast<std::uint32_t>(scene.meshes.size() - 1);
     }
     /// A texture from texels, row 0 on top; nearest filter.
-    assets::TextureSlot texture(std::uint32_t width, std::uint32_t height, const std::vector<glm::u8vec4>& texels,
+    assets::TextureSlot texture(std::uint32_t width, std::uint32_t height,
+                                const std::vector<glm::u8vec4>& texels,
                                 assets::ColourSpace space = assets::ColourSpace::linear) {
         assets::Image image;
         image.width = width;
@@ -90,8 +94,8 @@ public:
         glm::mat4 world_from_local{1.0f};
         bool casts = true;
     };
-    void place(std::uint32_t mesh_index, std::uint32_t material_index, const glm::mat4& world_from_local = glm::mat4{1.0f},
-               bool casts = true) {
+    void place(std::uint32_t mesh_index, std::uint32_t material_index,
+               const glm::mat4& world_from_local = glm::mat4{1.0f}, bool casts = true) {
         things.push_back({mesh_index, material_index, world_from_local, casts});
     }
 
@@ -123,7 +127,8 @@ public:
 
     /// Where a point of the world lands in the picture, in pixels from the upper left corner.
     [[nodiscard]] glm::vec2 pixel_of(glm::vec3 world) const {
-        const glm::vec4 c = frame.view.clip_from_view * frame.view.view_from_world * glm::vec4{world - eye, 1.0f};
+        const glm::vec4 c =
+            frame.view.clip_from_view * frame.view.view_from_world * glm::vec4{world - eye, 1.0f};
         const glm::vec2 uv = 0.5f * glm::vec2{c} / c.w + 0.5f;
         return glm::vec2{uv.x, 1.0f - uv.y} * glm::vec2{frame.view.size_px};
     }
@@ -160,26 +165,30 @@ private:
         frame.casters = {};
         frame.emissive = false;
         frame.capture = {.display = true, .linear = true};
-        for (const Thing& thing : things) pack(thing);
+        for (const Thing& thing : things)
+            pack(thing);
     }
     void pack(const Thing& thing) {
         const assets::Material& m = scene.materials[thing.material];
         const glm::mat4 relative = glm::translate(glm::mat4{1.0f}, -eye) * thing.world_from_local;
         const glm::mat4 rows = glm::transpose(relative);
-        const systems::Pipeline pipeline{.double_sided = m.double_sided,
-                                         .mirrored = glm::determinant(glm::mat3{relative}) < 0.0f,
-                                         .alpha = static_cast<std::uint8_t>(m.alpha_mode),
-                                         .topology = static_cast<std::uint8_t>(scene.meshes[thing.mesh].topology),
-                                         .unlit = m.unlit};
+        const systems::Pipeline pipeline{
+            .double_sided = m.double_sided,
+            .mirrored = glm::determinant(glm::mat3{relative}) < 0.0f,
+            .alpha = static_cast<std::uint8_t>(m.alpha_mode),
+            .topology = static_cast<std::uint8_t>(scene.meshes[thing.mesh].topology),
+            .unlit = m.unlit};
         const systems::DrawBatch batch{.pipeline = systems::pack(pipeline),
                                        .material = thing.material,
                                        .mesh = thing.mesh,
                                        .first_instance = static_cast<std::uint32_t>(frame.instances.size()),
                                        .instance_count = 1};
-        frame.instances.push_back({.row0 = rows[0], .row1 = rows[1], .row2 = rows[2], .material = thing.material});
+        frame.instances.push_back(
+            {.row0 = rows[0], .row1 = rows[1], .row2 = rows[2], .material = thing.material});
         const bool blended = m.alpha_mode == assets::AlphaMode::blend;
         (blended ? frame.blended : frame.opaque).push_back(batch);
-        if (m.unlit || glm::dot(m.emissive, glm::vec3{1.0f}) > 0.0f) frame.emissive = frame.emissive || !blended;
+        if (m.unlit || glm::dot(m.emissive, glm::vec3{1.0f}) > 0.0f)
+            frame.emissive = frame.emissive || !blended;
         if (!thing.casts || blended) return;
         const assets::Bounds box = assets::transformed(scene.meshes[thing.mesh].bounds, relative);
         systems::CasterColumns& c = frame.casters;
@@ -219,7 +228,8 @@ private:
 }
 
 /// A sun and nothing else: no sky, no ground.
-[[nodiscard]] inline assets::Environment only_sun(glm::vec3 to_sun, glm::vec3 illuminance = glm::vec3{3.14159265f}) {
+[[nodiscard]] inline assets::Environment only_sun(glm::vec3 to_sun,
+                                                  glm::vec3 illuminance = glm::vec3{3.14159265f}) {
     assets::Environment e;
     e.direction_to_sun = glm::normalize(to_sun);
     e.sun_illuminance = illuminance;

@@ -6,10 +6,11 @@
 
 SHARED_BEGIN
 struct SunShadow {
-    mat4 map_from_world;  // camera-relative world to [0, 1]³: texture coordinates, and depth, 1 nearest to the sun
+    mat4 map_from_world;  // camera-relative world to [0, 1]³: texture coordinates, and depth, 1 nearest to
+                          // the sun
     vec4 size_texels;     // xy: width, height of the map, zw: their reciprocals
-    vec4 bias_m;          // x: along the normal, for a surface along the light; y: towards the sun; zw: padding
-    vec4 fade;            // x: distance where shadows begin to fade, y: 1/length of the fade, 1/m; zw: padding
+    vec4 bias_m;  // x: along the normal, for a surface along the light; y: towards the sun; zw: padding
+    vec4 fade;    // x: distance where shadows begin to fade, y: 1/length of the fade, 1/m; zw: padding
 };
 SHARED_END
 

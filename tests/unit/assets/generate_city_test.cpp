@@ -24,8 +24,8 @@ float clearance(const CityPlan& plan, glm::vec2 p) {
     const float half = 0.5f * plan.street.block_m;
     for (int j = 0; j < plan.blocks_z; ++j) {
         for (int i = 0; i < plan.blocks_x; ++i) {
-            // A block is the part of the plane inside four sides and four chamfers: the largest signed distance counts,
-            // a lower bound of the distance outside.
+            // A block is the part of the plane inside four sides and four chamfers: the largest signed
+            // distance counts, a lower bound of the distance outside.
             const glm::vec2 d = glm::abs(p - plan.block_centre(i, j));
             const float sides = std::max(d.x, d.y) - half;
             const float chamfers = (d.x + d.y - (2.0f * half - generate::k_chamfer_m)) * std::sqrt(0.5f);
@@ -64,7 +64,8 @@ TEST(City, HasPanesAsMeshesOfTheirOwnInGlass) {
             EXPECT_EQ(material.metalness, 0.0f);
             // A mirror needs one direction: all panes of a façade's mesh face the same way.
             const Mesh& mesh = scene.meshes[part.mesh];
-            for (const glm::vec3& normal : mesh.normals) EXPECT_GT(glm::dot(normal, mesh.normals[0]), 0.999f);
+            for (const glm::vec3& normal : mesh.normals)
+                EXPECT_GT(glm::dot(normal, mesh.normals[0]), 0.999f);
         }
         EXPECT_GE(panes, model.name == "house" ? 1u : 3u);
     }
@@ -82,7 +83,8 @@ TEST(City, LightsAboutOneWindowInSeven) {
             if (name == "glass-lit") lit += scene.meshes[part.mesh].indices.size() / 6;
         }
     }
-    // Thousands of windows, but of three dozen independent houses: a third either way is more than three sigma.
+    // Thousands of windows, but of three dozen independent houses: a third either way is more than three
+    // sigma.
     const double share = static_cast<double>(lit) / static_cast<double>(lit + dark);
     EXPECT_GT(share, 0.67 / 7.0);
     EXPECT_LT(share, 1.33 / 7.0);
@@ -114,7 +116,8 @@ TEST(City, CoversItsHousesWithRoofs) {
         if (!row && model.name != "corner-house") continue;
         float half = 0.0f;  // the party walls are the widest plain surfaces
         for (const ModelPart& part : model.parts)
-            if (scene.materials[part.material].name == "party-wall") half = std::max(half, scene.meshes[part.mesh].bounds.max.x);
+            if (scene.materials[part.material].name == "party-wall")
+                half = std::max(half, scene.meshes[part.mesh].bounds.max.x);
         for (int k = 0; k < 40; ++k) {
             const float u = std::fmod(0.5f + 0.618034f * static_cast<float>(k), 1.0f);
             const float v = (static_cast<float>(k) + 0.5f) / 40.0f;
@@ -122,7 +125,8 @@ TEST(City, CoversItsHousesWithRoofs) {
             if (row) {
                 at = {(2.0f * u - 1.0f) * (half - 0.05f), -0.05f - v * (generate::k_house_depth_m - 0.1f)};
             } else {
-                // (u, v) in the block's corner, as building.cpp draws it; points of the cut corner are no house.
+                // (u, v) in the block's corner, as building.cpp draws it; points of the cut corner are no
+                // house.
                 const float size = generate::k_chamfer_m + generate::k_corner_side_m;
                 const float bu = u * (size - 0.1f) + 0.05f;
                 const float bv = v * (size - 0.1f) + 0.05f;
@@ -204,7 +208,9 @@ TEST(City, LeavesTheStandardWalkFree) {
     const float street_x = plan.street_x(plan.walked_street());
     for (std::size_t k = 0; k < place.walk.size(); ++k) {
         const CameraKey& key = place.walk[k];
-        if (k > 0) { EXPECT_GT(key.time_s, place.walk[k - 1].time_s); }
+        if (k > 0) {
+            EXPECT_GT(key.time_s, place.walk[k - 1].time_s);
+        }
         EXPECT_GT(glm::length(key.target_m - key.eye_m), 1.0f);
         EXPECT_NEAR(key.eye_m.y, 1.65f, 0.05f);
         EXPECT_LT(std::abs(key.eye_m.x - street_x), kerb - 0.5f);
@@ -214,7 +220,8 @@ TEST(City, LeavesTheStandardWalkFree) {
             if (node.name != "parked-car" && node.name != "tree" && node.name != "lamp-post") continue;
             const glm::vec3 way = node.local.translation_m - key.eye_m;
             // Half the longest car.
-            EXPECT_GT(std::hypot(way.x, way.z), node.name == "parked-car" ? 3.0f : 0.5f) << node.name << " at key " << k;
+            EXPECT_GT(std::hypot(way.x, way.z), node.name == "parked-car" ? 3.0f : 0.5f)
+                << node.name << " at key " << k;
         }
         for (const PathNetwork::Link& link : place.pavements.links) {
             const glm::vec3 from = place.pavements.points[link.from];
@@ -223,7 +230,8 @@ TEST(City, LeavesTheStandardWalkFree) {
             const glm::vec2 ab = glm::vec2{to.x, to.z} - a;
             const glm::vec2 eye{key.eye_m.x, key.eye_m.z};
             const float share = std::clamp(glm::dot(eye - a, ab) / glm::dot(ab, ab), 0.0f, 1.0f);
-            EXPECT_GT(glm::length(eye - a - share * ab), link.half_width_m + 0.5f) << "walkers cross key " << k;
+            EXPECT_GT(glm::length(eye - a - share * ab), link.half_width_m + 0.5f)
+                << "walkers cross key " << k;
         }
     }
 }
@@ -231,11 +239,13 @@ TEST(City, LeavesTheStandardWalkFree) {
 TEST(City, HasPeopleAndCarsThatCanBeAnimated) {
     const Place& place = street();
     const Scene& scene = place.scene;
-    const std::set<std::string> wanted{"torso", "head", "arm_l", "arm_r", "forearm_l", "forearm_r", "leg_l", "leg_r", "shin_l", "shin_r"};
+    const std::set<std::string> wanted{"torso",     "head",  "arm_l", "arm_r",  "forearm_l",
+                                       "forearm_r", "leg_l", "leg_r", "shin_l", "shin_r"};
     std::set<std::uint32_t> people;
     for (const ActorStart& actor : place.actors) {
         ASSERT_LT(actor.prototype, scene.nodes.size());
-        EXPECT_EQ(std::count(scene.roots.begin(), scene.roots.end(), actor.prototype), 0) << "prototypes are not shown";
+        EXPECT_EQ(std::count(scene.roots.begin(), scene.roots.end(), actor.prototype), 0)
+            << "prototypes are not shown";
         const bool walker = actor.kind == ActorKind::walker;
         const PathNetwork& network = walker ? place.pavements : place.lanes;
         ASSERT_LT(actor.link, network.links.size());
@@ -246,9 +256,10 @@ TEST(City, HasPeopleAndCarsThatCanBeAnimated) {
             EXPECT_TRUE(actor.speed_m_s >= 1.0f && actor.speed_m_s <= 1.6f);
         } else {
             const Node& car = scene.nodes[actor.prototype];
-            EXPECT_EQ(std::count_if(car.children.begin(), car.children.end(),
-                                    [&](std::uint32_t c) { return scene.nodes[c].name.rfind("wheel_", 0) == 0; }),
-                      4);
+            EXPECT_EQ(
+                std::count_if(car.children.begin(), car.children.end(),
+                              [&](std::uint32_t c) { return scene.nodes[c].name.rfind("wheel_", 0) == 0; }),
+                4);
         }
     }
     EXPECT_GE(people.size(), 8u);
@@ -257,7 +268,8 @@ TEST(City, HasPeopleAndCarsThatCanBeAnimated) {
         std::set<std::string> names;
         Bounds bounds;
         std::size_t triangles = 0;
-        const std::function<void(std::uint32_t, const glm::mat4&)> visit = [&](std::uint32_t index, const glm::mat4& parent) {
+        const std::function<void(std::uint32_t, const glm::mat4&)> visit = [&](std::uint32_t index,
+                                                                               const glm::mat4& parent) {
             const Node& node = scene.nodes[index];
             const glm::mat4 here = parent * matrix(node.local);
             if (index != person) names.insert(node.name);
@@ -265,7 +277,8 @@ TEST(City, HasPeopleAndCarsThatCanBeAnimated) {
                 bounds.expand(transformed(scene.meshes[part.mesh].bounds, here));
                 triangles += scene.meshes[part.mesh].indices.size() / 3;
             }
-            for (const std::uint32_t child : node.children) visit(child, here);
+            for (const std::uint32_t child : node.children)
+                visit(child, here);
         };
         visit(person, glm::mat4{1.0f});
         EXPECT_EQ(names, wanted);
@@ -279,7 +292,8 @@ TEST(City, HasPeopleAndCarsThatCanBeAnimated) {
 
 TEST(City, HoldsValidIndicesThroughout) {
     const Scene& scene = street().scene;
-    for (const Texture& texture : scene.textures) EXPECT_LT(texture.image, scene.images.size());
+    for (const Texture& texture : scene.textures)
+        EXPECT_LT(texture.image, scene.images.size());
     for (const Model& model : scene.models)
         for (const ModelPart& part : model.parts) {
             EXPECT_LT(part.mesh, scene.meshes.size());
@@ -289,7 +303,8 @@ TEST(City, HoldsValidIndicesThroughout) {
         const Node& node = scene.nodes[i];
         EXPECT_TRUE(node.model == k_none || node.model < scene.models.size());
         EXPECT_TRUE(node.light == k_none || node.light < scene.lights.size());
-        for (const std::uint32_t child : node.children) EXPECT_EQ(scene.nodes[child].parent, i);
+        for (const std::uint32_t child : node.children)
+            EXPECT_EQ(scene.nodes[child].parent, i);
     }
 }
 
@@ -325,9 +340,10 @@ TEST(GeneratePlace, RefusesWhatItDoesNotKnowAndSaysWhatItDoes) {
     EXPECT_NE(message("city:towers=3").find("\"towers=3\""), std::string::npos);
     EXPECT_NE(message("city:towers=3").find("walkers"), std::string::npos);
     EXPECT_NE(message("city:blocks=4").find("blocks=4x2"), std::string::npos);
-    for (const std::string_view bad : {"", ":", "city:", "city:walkers", "city:walkers=", "city:walkers=x", "city:walkers=-1",
-                                       "city:walkers=1.5", "city:blocks=0x1", "city:blocks=1x101", "city:blocks=2x2x2",
-                                       "city:street=nan", "city:street=1e9", "city:walkers=3,,cars=1"})
+    for (const std::string_view bad :
+         {"", ":", "city:", "city:walkers", "city:walkers=", "city:walkers=x", "city:walkers=-1",
+          "city:walkers=1.5", "city:blocks=0x1", "city:blocks=1x101", "city:blocks=2x2x2", "city:street=nan",
+          "city:street=1e9", "city:walkers=3,,cars=1"})
         EXPECT_NE(message(bad), "") << bad;
 }
 

@@ -7,7 +7,9 @@
 namespace rambla::assets::test {
 namespace {
 
-bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(glm::vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 TEST(GeneratedMeshes, HaveWholeColumnsAndIndicesInRange) {
     for (const Mesh& mesh : street().scene.meshes) {
@@ -18,7 +20,8 @@ TEST(GeneratedMeshes, HaveWholeColumnsAndIndicesInRange) {
         ASSERT_EQ(mesh.uv0.size(), count) << mesh.name;
         ASSERT_TRUE(mesh.colours.empty() || mesh.colours.size() == count) << mesh.name;
         ASSERT_EQ(mesh.indices.size() % 3, 0u) << mesh.name;
-        for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, count) << mesh.name;
+        for (const std::uint32_t index : mesh.indices)
+            ASSERT_LT(index, count) << mesh.name;
     }
 }
 
@@ -38,7 +41,8 @@ TEST(GeneratedMeshes, HaveFiniteVerticesWithOrthonormalFrames) {
             ASSERT_LE(mesh.positions[i].y, mesh.bounds.max.y) << mesh.name;
         }
         for (const glm::vec4& colour : mesh.colours)
-            for (int channel = 0; channel < 4; ++channel) ASSERT_TRUE(colour[channel] >= 0.0f && colour[channel] <= 1.0f);
+            for (int channel = 0; channel < 4; ++channel)
+                ASSERT_TRUE(colour[channel] >= 0.0f && colour[channel] <= 1.0f);
     }
 }
 
@@ -71,7 +75,9 @@ TEST(GeneratedMeshes, WindAsTheirNormalsSay) {
                 const glm::vec3 face = glm::cross(mesh.positions[index[1]] - mesh.positions[index[0]],
                                                   mesh.positions[index[2]] - mesh.positions[index[0]]);
                 ++triangles;
-                if (glm::dot(face, mesh.normals[index[0]] + mesh.normals[index[1]] + mesh.normals[index[2]]) < 0.0f) ++against;
+                if (glm::dot(face, mesh.normals[index[0]] + mesh.normals[index[1]] + mesh.normals[index[2]]) <
+                    0.0f)
+                    ++against;
             }
         }
     }
@@ -98,9 +104,11 @@ TEST(GeneratedMeshes, HaveTangentsThatFollowTheirTextureCoordinates) {
             const glm::vec3 q = mesh.positions[c] - mesh.positions[a];
             const glm::vec3 along_u = (p * ac.y - q * ab.y) / area;
             const glm::vec3 along_v = (q * ab.x - p * ac.x) / area;
-            const glm::vec3 bitangent = mesh.tangents[a].w * glm::cross(mesh.normals[a], glm::vec3{mesh.tangents[a]});
+            const glm::vec3 bitangent =
+                mesh.tangents[a].w * glm::cross(mesh.normals[a], glm::vec3{mesh.tangents[a]});
             ++checked;
-            if (glm::dot(along_u, glm::vec3{mesh.tangents[a]}) < 0.0f || glm::dot(along_v, bitangent) > 0.0f) ++wrong;
+            if (glm::dot(along_u, glm::vec3{mesh.tangents[a]}) < 0.0f || glm::dot(along_v, bitangent) > 0.0f)
+                ++wrong;
         }
     }
     ASSERT_GT(checked, 10'000u);
@@ -112,15 +120,20 @@ TEST(GeneratedMeshes, StayWithinTheBudgetOfASoftwareRasteriser) {
     const Scene& scene = street().scene;
     const auto triangles = [&](std::uint32_t model) {
         std::size_t sum = 0;
-        for (const ModelPart& part : scene.models[model].parts) sum += scene.meshes[part.mesh].indices.size() / 3;
+        for (const ModelPart& part : scene.models[model].parts)
+            sum += scene.meshes[part.mesh].indices.size() / 3;
         return sum;
     };
     std::size_t total = 0;
     for (const Shown& shown : shown_models(scene)) {
         const std::size_t count = triangles(shown.model);
         total += count;
-        if (shown.root == "house") { EXPECT_LT(count, 6000u); }
-        if (shown.root == "tree") { EXPECT_LT(count, 1700u); }
+        if (shown.root == "house") {
+            EXPECT_LT(count, 6000u);
+        }
+        if (shown.root == "tree") {
+            EXPECT_LT(count, 1700u);
+        }
     }
     EXPECT_LT(total, 1'100'000u);
     EXPECT_LE(scene.materials.size(), 60u);

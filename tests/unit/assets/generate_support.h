@@ -30,9 +30,11 @@ inline std::vector<Shown> shown_models(const Scene& scene) {
             const Node& node = scene.nodes[index];
             const glm::mat4 here = parent * matrix(node.local);
             if (node.model != k_none) all.push_back({root, node.model, here});
-            for (const std::uint32_t child : node.children) visit(child, root, here);
+            for (const std::uint32_t child : node.children)
+                visit(child, root, here);
         };
-    for (const std::uint32_t root : scene.roots) visit(root, scene.nodes[root].name, glm::mat4{1.0f});
+    for (const std::uint32_t root : scene.roots)
+        visit(root, scene.nodes[root].name, glm::mat4{1.0f});
     return all;
 }
 
@@ -70,7 +72,8 @@ inline std::uint64_t geometry_hash(const Scene& scene) {
 
 inline std::uint64_t image_hash(const Scene& scene) {
     Hash hash;
-    for (const Image& image : scene.images) hash.add_all(image.texels);
+    for (const Image& image : scene.images)
+        hash.add_all(image.texels);
     return hash.value();
 }
 

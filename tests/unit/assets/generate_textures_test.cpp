@@ -11,7 +11,9 @@ namespace {
 glm::vec4 texel(const Image& image, std::uint32_t x, std::uint32_t y) {
     glm::vec4 value{0.0f};
     for (int i = 0; i < 4; ++i)
-        value[i] = static_cast<float>(image.texels[(std::size_t{y} * image.width + x) * 4 + static_cast<std::size_t>(i)]) / 255.0f;
+        value[i] = static_cast<float>(
+                       image.texels[(std::size_t{y} * image.width + x) * 4 + static_cast<std::size_t>(i)]) /
+                   255.0f;
     return value;
 }
 
@@ -20,7 +22,8 @@ double seam(const Image& image, std::uint32_t a, std::uint32_t b, bool columns) 
     const std::uint32_t count = columns ? image.height : image.width;
     double sum = 0.0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const glm::vec4 d = columns ? texel(image, a, i) - texel(image, b, i) : texel(image, i, a) - texel(image, i, b);
+        const glm::vec4 d =
+            columns ? texel(image, a, i) - texel(image, b, i) : texel(image, i, a) - texel(image, i, b);
         sum += std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
     }
     return sum / count;
@@ -28,8 +31,9 @@ double seam(const Image& image, std::uint32_t a, std::uint32_t b, bool columns) 
 
 TEST(Textures, FillTheirImages) {
     for (const PaintedSet& set : paint_all_patterns(5)) {
-        for (const Image* image : {&set.colour, set.normal ? &*set.normal : nullptr, set.roughness ? &*set.roughness : nullptr,
-                                   set.emission ? &*set.emission : nullptr}) {
+        for (const Image* image :
+             {&set.colour, set.normal ? &*set.normal : nullptr, set.roughness ? &*set.roughness : nullptr,
+              set.emission ? &*set.emission : nullptr}) {
             if (image == nullptr) continue;
             EXPECT_EQ(image->texels.size(), std::size_t{image->width} * image->height * 4) << image->name;
         }
@@ -37,18 +41,20 @@ TEST(Textures, FillTheirImages) {
 }
 
 TEST(Textures, TileWithoutSeams) {
-    for (const Pattern pattern : {Pattern::plaster, Pattern::brick, Pattern::stone, Pattern::stucco, Pattern::asphalt,
-                                  Pattern::paving, Pattern::bark}) {
+    for (const Pattern pattern : {Pattern::plaster, Pattern::brick, Pattern::stone, Pattern::stucco,
+                                  Pattern::asphalt, Pattern::paving, Pattern::bark}) {
         const PaintedSet set = paint_pattern(pattern, 9);
         const Image& image = set.colour;
         const std::uint32_t w = image.width;
         const std::uint32_t h = image.height;
-        // The step across the seam must look like steps elsewhere; joints make some of those large, so the largest
-        // of a row of inner steps is the measure.
+        // The step across the seam must look like steps elsewhere; joints make some of those large, so the
+        // largest of a row of inner steps is the measure.
         double inner_x = 0.0;
         double inner_y = 0.0;
-        for (std::uint32_t i = 1; i < w; ++i) inner_x = std::max(inner_x, seam(image, i - 1, i, true));
-        for (std::uint32_t i = 1; i < h; ++i) inner_y = std::max(inner_y, seam(image, i - 1, i, false));
+        for (std::uint32_t i = 1; i < w; ++i)
+            inner_x = std::max(inner_x, seam(image, i - 1, i, true));
+        for (std::uint32_t i = 1; i < h; ++i)
+            inner_y = std::max(inner_y, seam(image, i - 1, i, false));
         EXPECT_LE(seam(image, w - 1, 0, true), 1.1 * inner_x) << set.name;
         EXPECT_LE(seam(image, h - 1, 0, false), 1.1 * inner_y) << set.name;
     }
@@ -69,8 +75,8 @@ TEST(Textures, HaveUnitNormalsThatFaceOutwards) {
 }
 
 TEST(Textures, ShowLouvresThatShedRain) {
-    // Slats lean outwards at their lower edge, so their faces look up: normals point up the image, which in glTF's
-    // convention is green above one half.
+    // Slats lean outwards at their lower edge, so their faces look up: normals point up the image, which in
+    // glTF's convention is green above one half.
     const PaintedSet set = paint_pattern(Pattern::louvre, 2);
     double green = 0.0;
     int count = 0;
@@ -87,12 +93,15 @@ TEST(Textures, ShowLouvresThatShedRain) {
 }
 
 TEST(Textures, CutLeavesAndRailingsOut) {
-    for (const auto& [pattern, least, most] : {std::tuple{Pattern::leaves, 0.3, 0.8}, {Pattern::railing, 0.1, 0.5}}) {
+    for (const auto& [pattern, least, most] :
+         {std::tuple{Pattern::leaves, 0.3, 0.8}, {Pattern::railing, 0.1, 0.5}}) {
         const PaintedSet set = paint_pattern(pattern, 3);
         std::size_t covered = 0;
         for (std::uint32_t y = 0; y < set.colour.height; ++y)
-            for (std::uint32_t x = 0; x < set.colour.width; ++x) covered += texel(set.colour, x, y).w > 0.5f ? 1 : 0;
-        const double share = static_cast<double>(covered) / (static_cast<double>(set.colour.width) * set.colour.height);
+            for (std::uint32_t x = 0; x < set.colour.width; ++x)
+                covered += texel(set.colour, x, y).w > 0.5f ? 1 : 0;
+        const double share =
+            static_cast<double>(covered) / (static_cast<double>(set.colour.width) * set.colour.height);
         EXPECT_GT(share, least) << set.name;
         EXPECT_LT(share, most) << set.name;
     }

@@ -92,7 +92,8 @@ TEST(LightRectangle, IsAbsentOutsideTheView) {
     EXPECT_FALSE(sphere_rectangle(view, {0, 0, 10}, 5.0f).has_value()) << "behind";
     EXPECT_FALSE(sphere_rectangle(view, {100, 0, -10}, 5.0f).has_value()) << "to the right";
     EXPECT_FALSE(sphere_rectangle(view, {0, -100, -10}, 5.0f).has_value()) << "below";
-    EXPECT_FALSE(sphere_rectangle(orthographic_view(), {0, 0, -200}, 5.0f).has_value()) << "beyond the far plane";
+    EXPECT_FALSE(sphere_rectangle(orthographic_view(), {0, 0, -200}, 5.0f).has_value())
+        << "beyond the far plane";
 }
 
 TEST(LightRectangle, NeverReachesTheSky) {

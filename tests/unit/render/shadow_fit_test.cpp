@@ -68,15 +68,18 @@ systems::CasterColumns walls() {
 
 void expect_sound(const SunFit& fit) {
     for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) ASSERT_TRUE(std::isfinite(fit.clip_from_world[column][row]));
+        for (int row = 0; row < 4; ++row)
+            ASSERT_TRUE(std::isfinite(fit.clip_from_world[column][row]));
     }
     const glm::dmat4 m{fit.clip_from_world};
     const double determinant = glm::determinant(m);
     ASSERT_TRUE(std::isfinite(determinant));
     ASSERT_NE(determinant, 0.0);
-    // Rows scale 2/extent and 1/depth: the inverse of such a matrix is well defined up to rounding of its entries.
+    // Rows scale 2/extent and 1/depth: the inverse of such a matrix is well defined up to rounding of its
+    // entries.
     const glm::dmat4 identity = m * glm::inverse(m);
-    for (int i = 0; i < 4; ++i) EXPECT_NEAR(identity[i][i], 1.0, 1e-9);
+    for (int i = 0; i < 4; ++i)
+        EXPECT_NEAR(identity[i][i], 1.0, 1e-9);
     EXPECT_GT(fit.texel_m.x, 0.0f);
     EXPECT_GT(fit.texel_m.y, 0.0f);
 }
@@ -87,19 +90,23 @@ TEST(SunMapFit, CoversEveryReceiverThatACasterCanShadow) {
     int seen = 0;
     for (int trial = 0; trial < 300; ++trial) {
         const glm::vec3 sun{unit(random), 0.2f + std::fabs(unit(random)), unit(random)};
-        const FitInput input = street(glm::normalize(glm::vec3{unit(random), 0.3f * unit(random), unit(random)}), sun);
+        const FitInput input =
+            street(glm::normalize(glm::vec3{unit(random), 0.3f * unit(random), unit(random)}), sun);
         const SunFit fit = fit_sun_map(input, walls());
         ASSERT_FALSE(fit.empty);
         expect_sound(fit);
         const glm::mat4 clip_from_world = input.view.clip_from_view * input.view.view_from_world;
         for (int i = 0; i < 400; ++i) {
             // Points of both walls that face the street: receivers and casters at once.
-            const glm::vec3 p{unit(random) < 0.0f ? -8.0f : 8.0f, 8.0f + 9.5f * unit(random), 79.0f * unit(random)};
+            const glm::vec3 p{unit(random) < 0.0f ? -8.0f : 8.0f, 8.0f + 9.5f * unit(random),
+                              79.0f * unit(random)};
             const glm::vec4 c = clip_from_world * glm::vec4{p, 1.0f};
-            if (std::fabs(c.x) > c.w || std::fabs(c.y) > c.w || c.w > input.distance_m || c.w < k_near_m) continue;
+            if (std::fabs(c.x) > c.w || std::fabs(c.y) > c.w || c.w > input.distance_m || c.w < k_near_m)
+                continue;
             ++seen;
             const glm::vec4 m = fit.clip_from_world * glm::vec4{p, 1.0f};
-            // 1e-5: float rounding of coordinates up to 100 m in a map of a thousand texels, a hundredth of a texel.
+            // 1e-5: float rounding of coordinates up to 100 m in a map of a thousand texels, a hundredth of a
+            // texel.
             EXPECT_LE(std::fabs(m.x), 1.0f + 1e-5f);
             EXPECT_LE(std::fabs(m.y), 1.0f + 1e-5f);
             EXPECT_GE(m.z, 0.0f);
@@ -132,7 +139,8 @@ TEST(SunMapFit, IsSoundWithTheLightAlongAndAgainstTheView) {
 }
 
 TEST(SunMapFit, IsSoundWithTheSunBelowTheHorizonAndOnIt) {
-    for (const glm::vec3 sun : {glm::vec3{0.2f, -0.5f, 0.1f}, glm::vec3{0, -1, 0}, glm::vec3{1, 0, 0}, glm::vec3{0, 0, 1}}) {
+    for (const glm::vec3 sun :
+         {glm::vec3{0.2f, -0.5f, 0.1f}, glm::vec3{0, -1, 0}, glm::vec3{1, 0, 0}, glm::vec3{0, 0, 1}}) {
         expect_sound(fit_sun_map(street({0, 0, -1}, sun), walls()));
     }
 }
@@ -212,7 +220,11 @@ TEST(SunMapFit, MovesByWholeTexelsWhenTheEyeDoesNotTurn) {
     for (int step = 0; step < 60; ++step) {
         const glm::dvec3 eye{256.0 * 4000.0 + 0.013 * step, 1.7, -0.029 * step};  // 1000 km from the origin
         const glm::dvec3 cell = glm::floor(eye / 256.0);
-        FitInput input{.view = view_along({0, 0, -1}), .direction_to_sun = sun, .distance_m = 80.0f, .receivers = {}, .size_texels = 1024};
+        FitInput input{.view = view_along({0, 0, -1}),
+                       .direction_to_sun = sun,
+                       .distance_m = 80.0f,
+                       .receivers = {},
+                       .size_texels = 1024};
         input.view.eye_cell = glm::ivec3{cell};
         input.view.eye_local_m = glm::vec3{eye - cell * 256.0};
         const glm::vec3 relative{glm::dvec3{256.0 * 4000.0, 0.0, 0.0} - eye};
@@ -255,7 +267,8 @@ TEST(ConvexIntersection, HoldsExactlyThePointsOfBothBodies) {
     const auto slice = render::shadow::frustum_slice(view, 50.0f);
     const auto points = render::shadow::intersect(slice, {{-100, -100, -20}, {100, 100, -10}});
     assets::Bounds found;
-    for (const glm::vec3& p : points.span()) found.expand(p);
+    for (const glm::vec3& p : points.span())
+        found.expand(p);
     // The frustum at z = −20 is 20·tan(0.5) high to either side, by independent trigonometry.
     const float half_height = 20.0f * std::tan(0.5f);
     EXPECT_NEAR(found.max.y, half_height, 1e-4f);
@@ -268,8 +281,9 @@ TEST(ConvexIntersection, HoldsExactlyThePointsOfBothBodies) {
 }
 
 TEST(InstanceBounds, EqualTheTransformedBox) {
-    const glm::mat4 m = glm::rotate(glm::translate(glm::mat4{1.0f}, {3, -2, 7}), 0.7f, glm::normalize(glm::vec3{1, 2, 3})) *
-                        glm::scale(glm::mat4{1.0f}, {-2.0f, 0.5f, 1.5f});
+    const glm::mat4 m =
+        glm::rotate(glm::translate(glm::mat4{1.0f}, {3, -2, 7}), 0.7f, glm::normalize(glm::vec3{1, 2, 3})) *
+        glm::scale(glm::mat4{1.0f}, {-2.0f, 0.5f, 1.5f});
     const glm::mat4 t = glm::transpose(m);
     const systems::Instance instance{.row0 = t[0], .row1 = t[1], .row2 = t[2]};
     const assets::Bounds box{{-1, -2, -3}, {2, 1, 4}};

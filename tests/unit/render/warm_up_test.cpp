@@ -16,7 +16,7 @@ assets::Scene all_kinds() {
     assets::Scene scene;
     scene.images.push_back(
         {.name = "grey", .width = 1, .height = 1, .texels = std::vector(4, std::byte{128})});
-    scene.textures.push_back({.name = "grey", .image = 0});
+    scene.textures.emplace_back().image = 0;
     for (const assets::Topology topology :
          {assets::Topology::triangles, assets::Topology::lines, assets::Topology::points}) {
         assets::Mesh& mesh = scene.meshes.emplace_back();

@@ -1,0 +1,81 @@
+#include "game/walk_report.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <nlohmann/json.hpp>
+
+#include "game/pass_table.h"
+#include "game/statistics.h"
+
+namespace rambla::game {
+namespace {
+
+template <class Value>
+double median_of(const std::vector<systems::Feedback>& frames, Value systems::Feedback::*member) {
+    std::vector<double> values;
+    for (const systems::Feedback& feedback : frames)
+        values.push_back(static_cast<double>(feedback.*member));
+    return median(values);
+}
+
+double frames_per_second(const WalkMeasures& m) {
+    return m.run_s > 0.0 ? static_cast<double>(m.drawn.size()) / m.run_s : 0.0;
+}
+
+HeldSample last_held(const WalkMeasures& m) {
+    return m.held.empty() ? HeldSample{} : m.held.back();
+}
+
+std::string systems_text(const WalkMeasures& m) {
+    std::string text;
+    for (const SystemSamples& system : m.systems) {
+        text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", system.name, median(system.ms));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string summary_text(const WalkMeasures& m) {
+    const HeldSample held = last_held(m);
+    std::string text =
+        fmt::format("{} seed {}, {} frames of {}x{} over {:.1f} s of walk ({} steps)\n", m.scene, m.seed,
+                    m.drawn.size(), m.size_px.x, m.size_px.y, m.walk_s, m.steps);
+    text += fmt::format(
+        "drawn and encoded in {:.1f} s, {:.2f} frames per second; a frame takes {:.1f} ms (median), {:.1f} "
+        "ms (p99)\n",
+        m.run_s, frames_per_second(m), median(m.frame_ms), percentile(m.frame_ms, 0.99));
+    text += fmt::format(
+        "{} entities, {} renderables, {} casters and {} lights; {:.0f} draws and {:.0f} triangles per "
+        "frame\n",
+        m.entities, m.counts.renderables, m.counts.casters, m.counts.lights,
+        median_of(m.drawn, &systems::Feedback::draws), median_of(m.drawn, &systems::Feedback::triangles));
+    text += fmt::format("systems on the CPU: {}\n", systems_text(m));
+    text += fmt::format("memory {} resident, {} on the GPU, {} GL objects\n",
+                        bytes_text(static_cast<double>(held.resident_bytes)),
+                        bytes_text(static_cast<double>(held.gpu_bytes)), held.gl_objects);
+    return text;
+}
+
+nlohmann::json summary_json(const WalkMeasures& m) {
+    nlohmann::json systems_ms = nlohmann::json::object();
+    for (const SystemSamples& system : m.systems)
+        systems_ms[system.name] = median(system.ms);
+    return {{"frames", m.drawn.size()},
+            {"width_px", m.size_px.x},
+            {"height_px", m.size_px.y},
+            {"run_s", m.run_s},
+            {"frames_per_second", frames_per_second(m)},
+            {"frame_ms_median", median(m.frame_ms)},
+            {"frame_ms_p99", percentile(m.frame_ms, 0.99)},
+            {"systems_ms_median", systems_ms},
+            {"renderables", m.counts.renderables},
+            {"casters", m.counts.casters},
+            {"lights", m.counts.lights},
+            {"draws_median", median_of(m.drawn, &systems::Feedback::draws)},
+            {"triangles_median", median_of(m.drawn, &systems::Feedback::triangles)},
+            {"gpu_memory_bytes", last_held(m).gpu_bytes},
+            {"gl_objects", last_held(m).gl_objects}};
+}
+
+}  // namespace rambla::game

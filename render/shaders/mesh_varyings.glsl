@@ -1,0 +1,21 @@
+// What the mesh passes hand from vertices to fragments. VARYING is `out` or `in`.
+//
+// Texture coordinates are transformed per vertex. In fragments, the transform would come from a buffer that
+// pixels beside a triangle's edge need not be able to read, and their derivatives, hence their mip levels,
+// would be wrong.
+VARYING MeshVaryings {
+    vec3 position;  ///< camera-relative world, m
+    vec3 normal;
+    vec4 tangent;
+    vec4 colour;
+    flat uint material;  ///< row of the material buffer
+    vec2 base_colour_uv;
+#if DETAIL
+    vec2 metalness_roughness_uv;
+    vec2 normal_uv;
+    vec2 occlusion_uv;
+#endif
+#if EMISSION
+    vec2 emissive_uv;
+#endif
+} varyings;
