@@ -12,6 +12,9 @@ struct Environment {
     glm::vec3 sky_zenith_radiance{0.0f};
     glm::vec3 sky_horizon_radiance{0.0f};
     glm::vec3 ground_radiance{0.0f};  ///< what the lower half of the sky sends upwards: light bounced off the ground
+    /// Share of the sky's light that houses and trees let through to surfaces, in [0, 1]; what they hide sends
+    /// ground_radiance instead. 1 is an open field. Sharp mirrors are not affected: they show the sky.
+    float sky_visibility = 1.0f;
 };
 
 /// Clear sky at noon in early summer: the light of the street's standard walk and of viewed files that bring none.

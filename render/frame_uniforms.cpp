@@ -23,7 +23,7 @@ shared::FrameUniforms make_frame_uniforms(const systems::Frame& frame, float exp
     u.sun_illuminance = glm::vec4{light.sun_illuminance, 0.0f};
     u.sky_zenith_radiance = glm::vec4{light.sky_zenith_radiance, 0.0f};
     u.sky_horizon_radiance = glm::vec4{light.sky_horizon_radiance, 0.0f};
-    u.ground_radiance = glm::vec4{light.ground_radiance, 0.0f};
+    u.ground_radiance = glm::vec4{light.ground_radiance, light.sky_visibility};
     u.exposure = glm::vec4{exposure, 1.0f / exposure, 0.0f, 0.0f};
     u.eye_cell = glm::vec4{glm::vec3{view.eye_cell}, 0.0f};
     u.eye_local_m = glm::vec4{view.eye_local_m, static_cast<float>(frame.time_s)};

@@ -22,6 +22,10 @@ using namespace generate;
 constexpr float k_quarter_rad = 1.57079633f;
 constexpr std::uint32_t k_people = 12;
 
+/// The middle of a street 9 m wide between houses of 18 m sees cos(atan(18/4.5)) = 0.24 of the sky's cosine-weighted
+/// light, a crossing about 0.5, the upper storeys nearly all of their half: between them.
+constexpr float k_sky_between_houses = 0.4f;
+
 /// Widths of the houses between two corner houses; each row fills block − 2 · (chamfer + corner side) = 36 m.
 constexpr std::array<std::array<float, 4>, 9> k_rows_m{{{12.0f, 12.0f, 12.0f, 0.0f},
                                                         {10.0f, 14.0f, 12.0f, 0.0f},
@@ -67,6 +71,7 @@ public:
         add_cars();
         add_actors();
         place_.environment = noon();
+        place_.environment.sky_visibility = k_sky_between_houses;
         // High enough that the street's east side leaves some sun on the pavement across, low enough that
         // cornices and balconies draw slanted shadows on the west side's façades.
         place_.environment.direction_to_sun = glm::normalize(glm::vec3{0.39f, 0.86f, 0.33f});

@@ -7,6 +7,7 @@ struct Surroundings {
     vec3 zenith;
     vec3 horizon;
     vec3 ground;
+    float visibility;  ///< share of the sky's light that reaches surfaces; the rest is ground
 };
 
 /// Radiance from a direction above the horizon. @param height  y of the unit direction
@@ -32,18 +33,20 @@ vec3 sky_radiance(Surroundings s, vec3 direction) {
 vec3 diffuse_ambient(Surroundings s, vec3 normal) {
     const float facing_up = 0.8, facing_sideways = 0.610;
     float mean_root = mix(facing_sideways, facing_up, clamp(normal.y, -1.0, 1.0));
-    return mix(s.ground, mix(s.horizon, s.zenith, mean_root), 0.5 + 0.5 * clamp(normal.y, -1.0, 1.0));
+    float sky_share = s.visibility * (0.5 + 0.5 * clamp(normal.y, -1.0, 1.0));
+    return mix(s.ground, mix(s.horizon, s.zenith, mean_root), sky_share);
 }
 
 /// Radiance around the mirrored direction, blurred as wide as the roughness asks for: the step at the horizon
 /// becomes a ramp of half width α, and the sky's gradient tends to its mean, as the lobe covers more of it.
-/// In a place of houses, directions just below the horizon end on façades and street: ground.
+/// In a place of houses, directions just below the horizon end on façades and street: ground. So does what houses hide
+/// of the sky, as far as the lobe is wide.
 vec3 specular_ambient(Surroundings s, vec3 reflected_direction, float roughness) {
     const float mean_root_of_sky = 2.0 / 3.0;
     float alpha = roughness * roughness;
     float half_width = max(alpha, 0.01);
     float height = reflected_direction.y;
-    float sky_share = smoothstep(-half_width, half_width, height);
+    float sky_share = smoothstep(-half_width, half_width, height) * mix(1.0, s.visibility, alpha);
     float root = mix(sqrt(clamp(height, 0.0, 1.0)), mean_root_of_sky, alpha);
     return mix(s.ground, mix(s.horizon, s.zenith, root), sky_share);
 }

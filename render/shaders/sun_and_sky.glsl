@@ -5,7 +5,7 @@
 
 Surroundings frame_surroundings() {
     return Surroundings(frame.sky_zenith_radiance.rgb, frame.sky_horizon_radiance.rgb,
-                        frame.ground_radiance.rgb);
+                        frame.ground_radiance.rgb, frame.ground_radiance.a);
 }
 
 vec3 sky_light(Surface s, vec3 to_eye) {

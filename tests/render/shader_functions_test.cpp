@@ -242,7 +242,7 @@ TEST(ShaderFunctions, AmbientOfTheSkyIsItsCosineWeightedMean) {
     // Numerical integral of the very radiance function, over the hemisphere around each normal.
     ShaderHarness gpu;
     const std::string surroundings =
-        "Surroundings s = Surroundings(vec3(0.1, 0.2, 0.5), vec3(0.6), vec3(0.15, 0.1, 0.05));\n";
+        "Surroundings s = Surroundings(vec3(0.1, 0.2, 0.5), vec3(0.6), vec3(0.15, 0.1, 0.05), 1.0);\n";
     Random random;
     for (const glm::vec3 n : {glm::vec3{0, 1, 0}, glm::vec3{1, 0, 0}, glm::vec3{0, -1, 0},
                               glm::vec3{0.6f, 0.8f, 0.0f}, glm::vec3{0.8f, -0.6f, 0.0f}}) {

@@ -20,7 +20,7 @@ struct FrameUniforms {
     vec4 sun_illuminance;   // w: padding
     vec4 sky_zenith_radiance;   // w: padding
     vec4 sky_horizon_radiance;  // w: padding
-    vec4 ground_radiance;       // w: padding
+    vec4 ground_radiance;       // w: sky visibility
     vec4 exposure;  // x: factor on everything written to HDR targets (pre-exposure), y: its reciprocal, zw:
                     // padding
     vec4 eye_cell;  // xyz: integer cell, w: padding

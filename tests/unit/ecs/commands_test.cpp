@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ecs/query.h"
-#include "unit/ecs/allocation_counter.h"
+#include "support/allocation_counter.h"
 #include "unit/ecs/parts.h"
 
 namespace rambla::ecs {
@@ -172,9 +172,9 @@ TEST(Commands, ASteadyUseDoesNotAllocate) {
         commands.apply(world);
     };
     frame();
-    const std::size_t before = allocation_count();
+    const std::size_t before = rambla::test::allocation_count();
     frame();
-    EXPECT_EQ(allocation_count(), before);
+    EXPECT_EQ(rambla::test::allocation_count(), before);
 }
 
 TEST(Commands, TwoWorldsFedTheSameAreTheSame) {

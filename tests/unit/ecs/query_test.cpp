@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "unit/ecs/allocation_counter.h"
+#include "support/allocation_counter.h"
 #include "unit/ecs/parts.h"
 
 namespace rambla::ecs {
@@ -170,14 +170,14 @@ TEST(Query, IteratingDoesNotAllocate) {
         world.create(Position{}, Velocity{1, 1, 1}, Frozen{});
     Query<Position, const Velocity> query;
     (void)query.count(world);
-    const std::size_t before = allocation_count();
+    const std::size_t before = rambla::test::allocation_count();
     for (auto [positions, velocities] : query.chunks(world))
         positions[0].x += velocities[0].x;
     query.each(world, [](Position& position, const Velocity& velocity) { position.x += velocity.x; });
     (void)query.count(world);
-    EXPECT_EQ(allocation_count(), before);
+    EXPECT_EQ(rambla::test::allocation_count(), before);
     world.create(Position{}, Velocity{}, Hidden{});
-    EXPECT_GT(allocation_count(), before) << "the counter counts";
+    EXPECT_GT(rambla::test::allocation_count(), before) << "the counter counts";
 }
 
 /// The chunks of `query` that changed since `seen`.

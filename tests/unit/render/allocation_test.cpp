@@ -1,28 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "render/renderer.h"
-
-namespace {
-
-// Of this thread alone: the rasteriser's own threads are none of our business.
-thread_local std::size_t allocations = 0;
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-    ++allocations;
-    if (void* memory = std::malloc(bytes != 0 ? bytes : 1)) return memory;
-    throw std::bad_alloc{};
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
+#include "support/allocation_counter.h"
 
 namespace rambla::render {
 namespace {
@@ -75,9 +54,9 @@ TEST(Renderer, AllocatesNothingInASteadyFrame) {
     std::vector<FrameOutput> outputs;
     std::size_t last = 1;
     for (int frame = 0; frame < 12; ++frame) {
-        const std::size_t before = allocations;
+        const std::size_t before = test::allocation_count_of_this_thread();
         renderer.draw(input);
-        last = allocations - before;
+        last = test::allocation_count_of_this_thread() - before;
         renderer.take_finished(outputs, true);  // the outputs are the caller's, and so is their memory
     }
     EXPECT_EQ(last, 0u);

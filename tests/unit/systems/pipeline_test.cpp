@@ -8,7 +8,7 @@
 #include "systems/pack/queue.h"
 #include "systems/position.h"
 #include "systems/spawn.h"
-#include "unit/systems/allocations.h"
+#include "support/allocation_counter.h"
 #include "unit/systems/random.h"
 #include "unit/systems/worlds.h"
 
@@ -219,12 +219,12 @@ TEST(BuildFrame, ASteadyFrameAllocatesNothing) {
         step(world);
         build_frame(world, eye, 0.5f, frames[i % 2]);
     }
-    const std::size_t before = test::allocations();
+    const std::size_t before = test::allocation_count();
     for (int i = 0; i < 100; ++i) {
         step(world);
         build_frame(world, eye, 0.5f, frames[i % 2]);
     }
-    EXPECT_EQ(test::allocations(), before);
+    EXPECT_EQ(test::allocation_count(), before);
     EXPECT_GT(frames[0].counts.visible, 50u);
 }
 

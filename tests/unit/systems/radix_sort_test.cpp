@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "unit/systems/allocations.h"
+#include "support/allocation_counter.h"
 #include "unit/systems/random.h"
 
 namespace rambla::systems {
@@ -58,9 +58,9 @@ TEST(RadixSort, SortsAgainWithoutAllocating) {
     Pairs warm = random_pairs(20000, ~std::uint64_t{0});
     sort(warm.keys, warm.values);
     Pairs pairs = random_pairs(20000, ~std::uint64_t{0});
-    const std::size_t before = test::allocations();
+    const std::size_t before = test::allocation_count();
     sort(pairs.keys, pairs.values);
-    EXPECT_EQ(test::allocations(), before);
+    EXPECT_EQ(test::allocation_count(), before);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "unit/systems/allocations.h"
+#include "support/allocation_counter.h"
 #include "unit/systems/random.h"
 
 namespace rambla::systems {
@@ -167,9 +167,9 @@ TEST(TransformHierarchy, ASteadyStepAllocatesNothing) {
     TransformPropagation propagate;
     propagate(world);
     propagate(world);
-    const std::size_t before = test::allocations();
+    const std::size_t before = test::allocation_count();
     propagate(world);
-    EXPECT_EQ(test::allocations(), before);
+    EXPECT_EQ(test::allocation_count(), before);
 }
 
 }  // namespace

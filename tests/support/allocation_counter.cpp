@@ -1,4 +1,4 @@
-#include "unit/ecs/allocation_counter.h"
+#include "support/allocation_counter.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -6,10 +6,12 @@
 
 namespace {
 
-std::atomic<std::size_t> g_allocations{0};
+std::atomic<std::size_t> allocations{0};
+thread_local std::size_t allocations_of_this_thread = 0;
 
 void* allocate_or_null(std::size_t bytes, std::size_t alignment) {
-    ++g_allocations;
+    ++allocations;
+    ++allocations_of_this_thread;
     return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
 }
 
@@ -21,8 +23,12 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
 
 }  // namespace
 
-std::size_t rambla::ecs::test::allocation_count() {
-    return g_allocations;
+std::size_t rambla::test::allocation_count() {
+    return allocations;
+}
+
+std::size_t rambla::test::allocation_count_of_this_thread() {
+    return allocations_of_this_thread;
 }
 
 // The array forms call these.
