@@ -6,7 +6,8 @@
 namespace rambla {
 
 /// Prints what failed and where, then aborts: for what cannot be, never for input.
-[[noreturn]] inline void assertion_failed(const char* condition, const char* file, int line, const char* reason) {
+[[noreturn]] inline void assertion_failed(const char* condition, const char* file, int line,
+                                          const char* reason) {
     std::fprintf(stderr, "%s:%d: assertion failed: %s (%s)\n", file, line, condition, reason);
     std::abort();
 }

@@ -5,7 +5,8 @@
 
 namespace rambla::assets {
 
-/// Axis-aligned box in metres. The default box is empty: min > max, and expanding it by a point gives that point.
+/// Axis-aligned box in metres. The default box is empty: min > max, and expanding it by a point gives that
+/// point.
 struct Bounds {
     glm::vec3 min{std::numeric_limits<float>::infinity()};
     glm::vec3 max{-std::numeric_limits<float>::infinity()};

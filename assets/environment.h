@@ -11,13 +11,15 @@ struct Environment {
     glm::vec3 sun_illuminance{0.0f};               ///< zero means no sun
     glm::vec3 sky_zenith_radiance{0.0f};
     glm::vec3 sky_horizon_radiance{0.0f};
-    glm::vec3 ground_radiance{0.0f};  ///< what the lower half of the sky sends upwards: light bounced off the ground
-    /// Share of the sky's light that houses and trees let through to surfaces, in [0, 1]; what they hide sends
-    /// ground_radiance instead. 1 is an open field. Sharp mirrors are not affected: they show the sky.
+    glm::vec3 ground_radiance{
+        0.0f};  ///< what the lower half of the sky sends upwards: light bounced off the ground
+    /// Share of the sky's light that houses and trees let through to surfaces, in [0, 1]; what they hide
+    /// sends ground_radiance instead. 1 is an open field. Sharp mirrors are not affected: they show the sky.
     float sky_visibility = 1.0f;
 };
 
-/// Clear sky at noon in early summer: the light of the street's standard walk and of viewed files that bring none.
+/// Clear sky at noon in early summer: the light of the street's standard walk and of viewed files that bring
+/// none.
 [[nodiscard]] inline Environment noon() {
     return {.direction_to_sun = glm::normalize(glm::vec3{0.42f, 0.80f, 0.36f}),
             .sun_illuminance = glm::vec3{3.10f, 2.86f, 2.50f},

@@ -10,7 +10,8 @@ namespace rambla::assets {
 class Error : public std::runtime_error {
 public:
     /// @param file      path as the user gave it
-    /// @param element   place inside the file, such as `meshes[3].primitives[0].attributes.POSITION`; may be empty
+    /// @param element   place inside the file, such as `meshes[3].primitives[0].attributes.POSITION`; may be
+    /// empty
     /// @param found     what stands there
     /// @param expected  what should stand there; may be empty
     Error(std::string_view file, std::string_view element, std::string_view found, std::string_view expected);

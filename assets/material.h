@@ -52,7 +52,8 @@ struct Material {
     float roughness = 1.0f;
     float normal_scale = 1.0f;
     float occlusion_strength = 1.0f;
-    glm::vec3 emissive{0.0f};  ///< radiance, scaled as architecture's 1.0 = white under the noon sun; may exceed 1
+    glm::vec3 emissive{
+        0.0f};  ///< radiance, scaled as architecture's 1.0 = white under the noon sun; may exceed 1
     float alpha_cutoff = 0.5f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     bool double_sided = false;

@@ -20,8 +20,9 @@ struct Mesh {
     std::vector<glm::vec4> tangents;   ///< xyz unit length, w = ±1: bitangent = w · (normal × tangent)
     std::vector<glm::vec2> uv0;        ///< v = 0 is the top row of an image
     std::vector<glm::vec2> uv1;
-    std::vector<glm::vec4> colours;      ///< linear RGBA, multiplied with the base colour; empty means white
-    std::vector<std::uint32_t> indices;  ///< lists (no strips or fans); counter-clockwise triangles face front
+    std::vector<glm::vec4> colours;  ///< linear RGBA, multiplied with the base colour; empty means white
+    std::vector<std::uint32_t>
+        indices;  ///< lists (no strips or fans); counter-clockwise triangles face front
     Bounds bounds;
 };
 

@@ -34,13 +34,14 @@ struct member_of<Field Struct::*> {
 };
 }  // namespace detail
 
-/// Describes a bool, integer or real field: `parameter<&ShadowParameters::size>("size", "texels", 256, 8192, "…")`.
+/// Describes a bool, integer or real field: `parameter<&ShadowParameters::size>("size", "texels", 256, 8192,
+/// "…")`.
 template <auto Member>
-[[nodiscard]] constexpr auto parameter(std::string_view name, std::string_view unit, double minimum, double maximum,
-                                       std::string_view help) {
+[[nodiscard]] constexpr auto parameter(std::string_view name, std::string_view unit, double minimum,
+                                       double maximum, std::string_view help) {
     using Struct = typename detail::member_of<decltype(Member)>::struct_type;
     using Field = typename detail::member_of<decltype(Member)>::field_type;
-    constexpr ParameterKind kind = std::is_same_v<Field, bool>  ? ParameterKind::boolean
+    constexpr ParameterKind kind = std::is_same_v<Field, bool> ? ParameterKind::boolean
                                    : std::is_integral_v<Field> ? ParameterKind::integer
                                                                : ParameterKind::real;
     return Parameter<Struct>{.name = name,
@@ -51,7 +52,10 @@ template <auto Member>
                              .maximum = maximum,
                              .choices = {},
                              .get = [](const Struct& s) { return static_cast<double>(s.*Member); },
-                             .set = [](Struct& s, double value) { s.*Member = static_cast<Field>(value); }};
+                             .set =
+                                 [](Struct& s, double value) {
+                                     s.*Member = static_cast<Field>(value);
+                                 }};
 }
 
 /// Describes an enum field whose values count up from 0; `choices` names them and must have static storage.
@@ -69,7 +73,10 @@ template <auto Member>
                              .maximum = static_cast<double>(choices.size()) - 1.0,
                              .choices = choices,
                              .get = [](const Struct& s) { return static_cast<double>(s.*Member); },
-                             .set = [](Struct& s, double value) { s.*Member = static_cast<Field>(static_cast<int>(value)); }};
+                             .set =
+                                 [](Struct& s, double value) {
+                                     s.*Member = static_cast<Field>(static_cast<int>(value));
+                                 }};
 }
 
 }  // namespace rambla

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -21,6 +22,23 @@ struct PathNetwork {
     std::vector<Link> links;
 };
 
+/// Half the breadth of the broadest generated person, sleeves included.
+inline constexpr float k_walker_half_m = 0.32f;
+
+/// Offsets to the right of the direction of travel that walkers keep to.
+struct WalkerBand {
+    float nearest_m = 0.0f;
+    float farthest_m = 0.0f;
+};
+
+/// Who keeps half a breadth to the right of the middle never touches oncoming people; a narrower link leaves
+/// only its edge. On wide links people use the inner half, so that corners do not turn them on the spot.
+[[nodiscard]] inline WalkerBand walker_band(float half_width_m) {
+    constexpr float k_inner_m = 0.75f;
+    return {std::min(k_walker_half_m, half_width_m),
+            std::min(half_width_m, std::max(k_inner_m, 0.5f * half_width_m))};
+}
+
 enum class ActorKind : std::uint8_t { walker, car };
 
 /// An actor that the place starts with.
@@ -31,7 +49,7 @@ struct ActorStart {
     float along = 0.0f;                ///< 0 at the link's start, 1 at its end
     float aside_m = 0.0f;              ///< signed offset to the right of the link's direction
     float speed_m_s = 1.3f;
-    bool backwards = false;            ///< starts towards `from`
+    bool backwards = false;  ///< starts towards `from`
 };
 
 /// One key of a scripted camera path.
@@ -48,8 +66,8 @@ struct Place {
     PathNetwork pavements;
     PathNetwork lanes;
     std::vector<ActorStart> actors;
-    std::vector<CameraKey> walk;   ///< times ascend from 0; interpolated smoothly
-    float walk_fov_rad = 1.0f;     ///< vertical
+    std::vector<CameraKey> walk;  ///< times ascend from 0; interpolated smoothly
+    float walk_fov_rad = 1.0f;    ///< vertical
 };
 
 }  // namespace rambla::assets

@@ -21,8 +21,8 @@ struct Transform {
 
 [[nodiscard]] inline glm::mat4 matrix(const Transform& t) {
     const glm::mat3 r = glm::mat3_cast(t.rotation);
-    return {glm::vec4{r[0] * t.scale.x, 0.0f}, glm::vec4{r[1] * t.scale.y, 0.0f}, glm::vec4{r[2] * t.scale.z, 0.0f},
-            glm::vec4{t.translation_m, 1.0f}};
+    return {glm::vec4{r[0] * t.scale.x, 0.0f}, glm::vec4{r[1] * t.scale.y, 0.0f},
+            glm::vec4{r[2] * t.scale.z, 0.0f}, glm::vec4{t.translation_m, 1.0f}};
 }
 
 struct ModelPart {
@@ -42,11 +42,11 @@ enum class CameraKind : std::uint8_t { perspective, orthographic };
 struct Camera {
     std::string name;
     CameraKind kind = CameraKind::perspective;
-    float vertical_fov_rad = 1.0f;   ///< perspective
-    float half_height_m = 1.0f;      ///< orthographic
-    float half_width_m = 1.0f;       ///< orthographic
+    float vertical_fov_rad = 1.0f;  ///< perspective
+    float half_height_m = 1.0f;     ///< orthographic
+    float half_width_m = 1.0f;      ///< orthographic
     float near_m = 0.05f;
-    float far_m = 1000.0f;           ///< orthographic only: perspective cameras see to infinity
+    float far_m = 1000.0f;  ///< orthographic only: perspective cameras see to infinity
 };
 
 enum class LightKind : std::uint8_t { directional, point, spot };
@@ -56,7 +56,8 @@ struct Light {
     std::string name;
     LightKind kind = LightKind::point;
     glm::vec3 colour{1.0f};
-    float intensity = 1.0f;  ///< directional: illuminance, π lights white to radiance 1; others: intensity, illuminance · m²
+    float intensity = 1.0f;  ///< directional: illuminance, π lights white to radiance 1; others: intensity,
+                             ///< illuminance · m²
     float range_m = 0.0f;    ///< 0: as far as its light matters
     float inner_cone_rad = 0.0f;
     float outer_cone_rad = 0.785398f;
@@ -83,7 +84,8 @@ struct Scene {
     std::vector<Camera> cameras;
     std::vector<Light> lights;
     std::vector<Node> nodes;
-    std::vector<std::uint32_t> roots;  ///< nodes shown by default; others are prototypes to be spawned by name or index
+    std::vector<std::uint32_t>
+        roots;  ///< nodes shown by default; others are prototypes to be spawned by name or index
 };
 
 }  // namespace rambla::assets

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "assets/export/image.h"
@@ -31,10 +32,10 @@ constexpr double k_notice_s = 4.0;
 constexpr double k_minimised_wait_s = 0.1;
 
 /// The first screenshot name that is not taken.
-fs::path free_screenshot(std::uint32_t& number) {
+fs::path free_screenshot(std::uint32_t& number, std::string_view extension) {
     fs::create_directories("out");
     for (;; ++number) {
-        const fs::path file = fs::path{"out"} / fmt::format("screenshot_{:04}.png", number);
+        const fs::path file = fs::path{"out"} / fmt::format("screenshot_{:04}{}", number, extension);
         if (!fs::exists(file)) return file;
     }
 }
@@ -106,7 +107,9 @@ private:
         systems::Eye eye = shot.eye;
         eye.size_px = window_.size_px();
         systems::build_frame(*stage_.world, eye, shot.interpolation, frame.frame);
-        frame.frame.capture = {.display = input_.pressed(Action::screenshot), .linear = false};
+        const bool wanted = input_.pressed(Action::screenshot);
+        const bool linear = input_.with_shift(Action::screenshot);
+        frame.frame.capture = {.display = wanted && !linear, .linear = wanted && linear};
         frame.settings = settings_;
         frame.profile = hud_.timings;
         frame.draw_graph = false;
@@ -133,15 +136,16 @@ private:
     void take_outputs() {
         for (render::FrameOutput& output : thread_.collect()) {
             timings_.add(std::move(output.feedback));
-            if (output.display) save(std::move(*output.display));
+            if (output.display) save(std::move(*output.display), ".png");
+            if (output.linear) save(std::move(*output.linear), ".exr");
             if (output.shader_error.empty()) continue;
             spdlog::error("{}", output.shader_error);
             hud_.shader_error = std::move(output.shader_error);
         }
     }
 
-    void save(assets::Image image) {
-        const fs::path file = free_screenshot(screenshots_);
+    void save(assets::Image image, std::string_view extension) {
+        const fs::path file = free_screenshot(screenshots_, extension);
         ++screenshots_;
         hud_.notice = "Picture: " + file.string();
         notice_ends_ = Clock::now() +

@@ -19,7 +19,7 @@ const std::array<Control, k_actions>& controls() {
         {Action::overlay, false, {GLFW_KEY_F2, 0, 0}, "F2", "every switch of the renderer"},
         {Action::timings, false, {GLFW_KEY_F3, 0, 0}, "F3", "time of each pass"},
         {Action::full_screen, false, {GLFW_KEY_F11, 0, 0}, "F11", "full screen"},
-        {Action::screenshot, false, {GLFW_KEY_F12, 0, 0}, "F12", "picture into out/"},
+        {Action::screenshot, false, {GLFW_KEY_F12, 0, 0}, "F12", "picture into out/ (Shift: EXR)"},
         {Action::pause, false, {GLFW_KEY_P, 0, 0}, "P", "pause"},
         {Action::quit, false, {GLFW_KEY_ESCAPE, 0, 0}, "Esc", "quit"},
     }};

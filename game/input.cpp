@@ -14,8 +14,9 @@ Input& input_of(GLFWwindow* window) {
 
 Input::Input(GLFWwindow* window) : window_{window} {
     glfwSetWindowUserPointer(window, this);
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-        if (action != GLFW_REPEAT) input_of(w).on_key(key, action == GLFW_PRESS);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+        if (action == GLFW_REPEAT) return;
+        input_of(w).on_key(key, action == GLFW_PRESS, (modifiers & GLFW_MOD_SHIFT) != 0);
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
         if (button == GLFW_MOUSE_BUTTON_LEFT) input_of(w).button_held_ = action == GLFW_PRESS;
@@ -38,7 +39,7 @@ Input::~Input() {
     glfwSetScrollCallback(window_, nullptr);
 }
 
-void Input::on_key(int key, bool down) {
+void Input::on_key(int key, bool down, bool shift) {
     for (const Control& control : controls()) {
         const auto action = static_cast<std::size_t>(control.action);
         bool any_down = false;
@@ -46,7 +47,10 @@ void Input::on_key(int key, bool down) {
             if (control.keys[i] == key) keys_down_.set(action * 3 + i, down);
             any_down = any_down || keys_down_.test(action * 3 + i);
         }
-        if (any_down && !held_.test(action)) pressed_.set(action);
+        if (any_down && !held_.test(action)) {
+            pressed_.set(action);
+            with_shift_.set(action, shift);
+        }
         held_.set(action, any_down);
     }
 }

@@ -23,6 +23,10 @@ public:
     [[nodiscard]] bool pressed(Action action) const {
         return pressed_.test(static_cast<std::size_t>(action));
     }
+    /// Whether Shift was down when the action's key went down last.
+    [[nodiscard]] bool with_shift(Action action) const {
+        return with_shift_.test(static_cast<std::size_t>(action));
+    }
     [[nodiscard]] bool button_held() const { return button_held_; }  ///< left mouse button
     [[nodiscard]] glm::vec2 pointer_way() const {
         return pointer_way_;
@@ -34,11 +38,12 @@ public:
     void forget_pointer();
 
 private:
-    void on_key(int key, bool down);
+    void on_key(int key, bool down, bool shift);
 
     GLFWwindow* window_;
     std::bitset<k_actions> held_;
     std::bitset<k_actions> pressed_;
+    std::bitset<k_actions> with_shift_;
     std::bitset<k_actions * 3> keys_down_;
     bool button_held_ = false;
     bool pointer_known_ = false;

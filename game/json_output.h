@@ -5,6 +5,10 @@
 
 namespace rambla::game {
 
+/// Makes the folder of the file that --json names, so that a place that cannot be written to is known before
+/// the work. Does nothing for `-` and for nowhere. @throws assets::Error
+void prepare_json(const std::string& target);
+
 /// Writes one JSON object where --json says: `-` is standard output, empty is nowhere, else a file.
 /// Numbers that JSON cannot hold (infinite, not a number) become null.
 /// @throws assets::Error  if the file cannot be written

@@ -8,6 +8,7 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -19,11 +20,14 @@
 namespace rambla::game {
 namespace {
 
-/// --NAME CHOICE:field=value,… for all of a struct; its fields are explained at the end of --help.
+/// --NAME CHOICE:field=value,… for all of a struct but the field that has an option of its own; the fields
+/// are explained at the end of --help.
 template <class Struct, std::size_t Count>
 void add_method_option(CLI::App& command, const std::string& name,
-                       const std::array<Parameter<Struct>, Count>& table, Struct& object) {
-    const std::vector<BoundParameter> parameters = bind(table, object);
+                       const std::array<Parameter<Struct>, Count>& table, Struct& object,
+                       std::string_view field_elsewhere = {}) {
+    std::vector<BoundParameter> parameters = bind(table, object);
+    std::erase_if(parameters, [&](const BoundParameter& p) { return p.name == field_elsewhere; });
     const bool has_fields = parameters.size() > 1;
     command
         .add_option_function<std::string>(
@@ -71,6 +75,7 @@ void add_scene_options(CLI::App& command, Options& options) {
     command
         .add_option("--seed", options.seed, "Chooses among the places and crowds that the scene describes")
         ->type_name("N")
+        ->transform(whole_number())
         ->capture_default_str();
 }
 
@@ -81,13 +86,14 @@ void add_place_options(CLI::App& command, Options& options) {
             [&options](const std::string& text) {
                 options.origin = usage_checked("--origin", [&] { return parse_origin(text); });
             },
-            "Puts the whole scene that far from (0,0,0), in metres: the picture stays the same")
+            "Puts the whole scene that far from (0,0,0), in metres: the picture stays the same, up to shadow "
+            "texels at shadow edges and, unless X, Y and Z are multiples of 256, rounding at other edges")
         ->type_name("X,Y,Z");
     command
         .add_option("--threads", options.threads,
                     "Threads that simulate, pack and encode (default: all cores)")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        ->transform(whole_number(1, 1024));
 }
 
 void add_picture_options(CLI::App& command, Options& options) {
@@ -101,7 +107,7 @@ void add_picture_options(CLI::App& command, Options& options) {
                         options.size_px.y))
         ->type_name("WIDTHxHEIGHT");
     add_method_option(command, "--shadows", render::k_shadow_parameters, options.settings.shadows);
-    add_method_option(command, "--tonemap", render::k_tone_parameters, options.settings.tone);
+    add_method_option(command, "--tonemap", render::k_tone_parameters, options.settings.tone, "exposure");
     add_field_option(command, "exposure", render::k_tone_parameters, options.settings.tone);
     add_method_option(command, "--aa", render::k_anti_aliasing_parameters, options.settings.anti_aliasing);
 }
@@ -113,6 +119,23 @@ void add_message_options(CLI::App& command, Options& options) {
     command.parse_complete_callback([&options] {
         if (options.quiet) spdlog::set_level(spdlog::level::warn);
     });
+}
+
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+    const bool open = most == std::numeric_limits<std::uint64_t>::max();
+    const std::string expected = open ? fmt::format("a whole number >= {}", least)
+                                      : fmt::format("a whole number from {} to {}", least, most);
+    return CLI::Validator{[least, most, expected](std::string& text) {
+                              std::uint64_t value = 0;
+                              const char* const end = text.data() + text.size();
+                              const auto [stop, error] = std::from_chars(text.data(), end, value);
+                              if (error != std::errc{} || stop != end || value < least || value > most) {
+                                  return fmt::format("found '{}', expected {}", text, expected);
+                              }
+                              text = std::to_string(value);
+                              return std::string{};
+                          },
+                          ""};
 }
 
 tbb::global_control worker_limit(const Options& options) {

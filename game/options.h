@@ -3,8 +3,10 @@
 #include <tbb/global_control.h>
 
 #include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 
 #include "render/settings.h"
@@ -34,6 +36,11 @@ void add_message_options(CLI::App& command, Options& options);  ///< --json --qu
 [[nodiscard]] tbb::global_control worker_limit(const Options& options);
 /// How many threads work now.
 [[nodiscard]] std::size_t worker_count();
+
+/// For CLI::Option::transform() of every option that counts: digits alone, read as decimal. CLI11 itself
+/// lets -1 wrap around to 2^64 - 1 and reads 010 as 8.
+[[nodiscard]] CLI::Validator whole_number(std::uint64_t least = 0,
+                                          std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// Runs a parser of option text, and turns std::invalid_argument into a usage error that names the option.
 template <class Parse>

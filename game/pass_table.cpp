@@ -15,6 +15,7 @@ namespace {
 /// One value per frame of everything that a row states.
 struct Samples {
     std::vector<double> gpu_ms, cpu_ms, bytes;
+    double memory_bytes = 0.0;
     std::uint32_t frames = 0;
 
     explicit Samples(std::size_t count) : gpu_ms(count), cpu_ms(count), bytes(count) {}
@@ -28,18 +29,24 @@ PassRow to_row(std::string name, const Samples& samples, double frame_ms) {
             .share = frame_ms > 0.0 ? gpu_ms / frame_ms : 0.0,
             .cpu_ms_median = median(samples.cpu_ms),
             .bytes_written = median(samples.bytes),
+            .memory_bytes = samples.memory_bytes,
             .frames = samples.frames};
 }
 
 std::string row_text(const PassRow& row) {
-    return fmt::format("{:<24} {:>10.3f} {:>10.3f} {:>7.1f} % {:>10.3f} {:>12} {:>7}\n", row.name,
+    return fmt::format("{:<24} {:>10.3f} {:>10.3f} {:>7.1f} % {:>10.3f} {:>12} {:>12} {:>7}\n", row.name,
                        row.gpu_ms_median, row.gpu_ms_p99, 100.0 * row.share, row.cpu_ms_median,
-                       bytes_text(row.bytes_written), row.frames);
+                       bytes_text(row.bytes_written), bytes_text(row.memory_bytes), row.frames);
 }
 
 nlohmann::json row_json(const PassRow& row) {
-    return {{"name", row.name},    {"gpu_ms_median", row.gpu_ms_median}, {"gpu_ms_p99", row.gpu_ms_p99},
-            {"share", row.share},  {"cpu_ms_median", row.cpu_ms_median}, {"bytes_written", row.bytes_written},
+    return {{"name", row.name},
+            {"gpu_ms_median", row.gpu_ms_median},
+            {"gpu_ms_p99", row.gpu_ms_p99},
+            {"share", row.share},
+            {"cpu_ms_median", row.cpu_ms_median},
+            {"bytes_written", row.bytes_written},
+            {"memory_bytes", row.memory_bytes},
             {"frames", row.frames}};
 }
 
@@ -67,6 +74,8 @@ PassTable make_pass_table(const std::vector<systems::Feedback>& frames) {
             samples.gpu_ms[f] += timing.gpu_ms;
             samples.cpu_ms[f] += timing.cpu_ms;
             samples.bytes[f] += static_cast<double>(timing.bytes_written);
+            samples.memory_bytes = std::max(samples.memory_bytes, static_cast<double>(timing.memory_bytes));
+            envelope.memory_bytes = std::max(envelope.memory_bytes, samples.memory_bytes);
             ++samples.frames;
             missing.gpu_ms[f] -= timing.gpu_ms;
             missing.cpu_ms[f] -= timing.cpu_ms;
@@ -88,8 +97,8 @@ PassTable make_pass_table(const std::vector<systems::Feedback>& frames) {
 }
 
 std::string to_text(const PassTable& table) {
-    std::string text = fmt::format("{:<24} {:>10} {:>10} {:>9} {:>10} {:>12} {:>7}\n", "pass", "ms median",
-                                   "ms p99", "share", "CPU ms", "written", "frames");
+    std::string text = fmt::format("{:<24} {:>10} {:>10} {:>9} {:>10} {:>12} {:>12} {:>7}\n", "pass",
+                                   "ms median", "ms p99", "share", "CPU ms", "written", "memory", "frames");
     for (const PassRow& row : table.passes)
         text += row_text(row);
     text += row_text(table.missing);

@@ -17,6 +17,7 @@ struct PassRow {
     double share = 0.0;  ///< of the frame's median envelope, 0 to 1
     double cpu_ms_median = 0.0;
     double bytes_written = 0.0;  ///< per frame, median
+    double memory_bytes = 0.0;   ///< transient memory alive while it runs, most of all frames
     std::uint32_t frames = 0;    ///< in how many of the run's frames the pass ran
 };
 

@@ -34,7 +34,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t k_sheet_pictures = 25;  // a 5 × 5 grid shows a walk at one glance
 constexpr std::uint32_t k_profile_warm_up = 1;  // the first frame with timers makes the queries
-constexpr std::uint32_t k_rehearsal_frames = 64;
 constexpr std::uint64_t k_stats_every_frames = 10;
 /// Until both frames in flight are taken, begin() does not wait; the wait after that is for compiled shaders.
 constexpr std::uint32_t k_filling_frames = 2;
@@ -83,11 +82,11 @@ public:
     /// heaviest frame so far, wherever on the way that comes, and that is no growth of ours. The world stays
     /// as it is.
     void rehearse() {
-        const std::uint32_t count = std::min(walk_.frames, k_rehearsal_frames);
+        const std::uint32_t count = walk_.frames;
         Progress progress{"Rehearsing", count, !options_.quiet};
         for (std::uint32_t i = 0; i < count && !interrupted(); ++i) {
             render::FrameInput& input = thread_->begin();
-            fill(input, spread(i, count, walk_.frames - 1), 1.0f);
+            fill(input, i, 1.0f);
             input.frame.capture = {.display = true, .linear = walk_.format == "exr"};
             input.draw_graph = false;
             thread_->submit();

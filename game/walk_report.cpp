@@ -22,6 +22,18 @@ double frames_per_second(const WalkMeasures& m) {
     return m.run_s > 0.0 ? static_cast<double>(m.drawn.size()) / m.run_s : 0.0;
 }
 
+/// Empty for a walk so short that the queue never was full: there is nothing to state then.
+std::string frame_times_text(const WalkMeasures& m) {
+    if (m.frame_ms.empty()) return "";
+    return fmt::format("; a frame takes {:.1f} ms (median), {:.1f} ms (p99)", median(m.frame_ms),
+                       percentile(m.frame_ms, 0.99));
+}
+
+/// null without samples.
+nlohmann::json frame_ms_json(const WalkMeasures& m, double share) {
+    return m.frame_ms.empty() ? nlohmann::json() : nlohmann::json(percentile(m.frame_ms, share));
+}
+
 HeldSample last_held(const WalkMeasures& m) {
     return m.held.empty() ? HeldSample{} : m.held.back();
 }
@@ -41,10 +53,8 @@ std::string summary_text(const WalkMeasures& m) {
     std::string text =
         fmt::format("{} seed {}, {} frames of {}x{} over {:.1f} s of walk ({} steps)\n", m.scene, m.seed,
                     m.drawn.size(), m.size_px.x, m.size_px.y, m.walk_s, m.steps);
-    text += fmt::format(
-        "drawn and encoded in {:.1f} s, {:.2f} frames per second; a frame takes {:.1f} ms (median), {:.1f} "
-        "ms (p99)\n",
-        m.run_s, frames_per_second(m), median(m.frame_ms), percentile(m.frame_ms, 0.99));
+    text += fmt::format("drawn and encoded in {:.1f} s, {:.2f} frames per second{}\n", m.run_s,
+                        frames_per_second(m), frame_times_text(m));
     text += fmt::format(
         "{} entities, {} renderables, {} casters and {} lights; {:.0f} draws and {:.0f} triangles per "
         "frame\n",
@@ -66,8 +76,8 @@ nlohmann::json summary_json(const WalkMeasures& m) {
             {"height_px", m.size_px.y},
             {"run_s", m.run_s},
             {"frames_per_second", frames_per_second(m)},
-            {"frame_ms_median", median(m.frame_ms)},
-            {"frame_ms_p99", percentile(m.frame_ms, 0.99)},
+            {"frame_ms_median", frame_ms_json(m, 0.5)},
+            {"frame_ms_p99", frame_ms_json(m, 0.99)},
             {"systems_ms_median", systems_ms},
             {"renderables", m.counts.renderables},
             {"casters", m.counts.casters},

@@ -10,21 +10,24 @@ namespace rambla::render {
 
 enum class ShadowMethod : std::uint8_t { off, focused };
 
+enum class ShadowTaps : std::uint8_t { four, sixteen };
+
 /// Shadow of the sun: one map fitted to what the camera sees (Brabec et al. 2002), filtered by PCF.
 struct ShadowParameters {
     ShadowMethod method = ShadowMethod::focused;
     int size_texels = 4096;
-    int taps = 16;
+    ShadowTaps taps = ShadowTaps::sixteen;
     float distance_m = 160.0f;
     float bias_texels = 1.5f;
 };
 inline constexpr std::array<std::string_view, 2> k_shadow_methods{"off", "focused"};
+inline constexpr std::array<std::string_view, 2> k_shadow_taps{"4", "16"};
 inline constexpr std::array k_shadow_parameters{
     parameter<&ShadowParameters::method>("method", k_shadow_methods, "How the sun's shadow is found."),
     parameter<&ShadowParameters::size_texels>("size", "texels", 256, 8192,
                                               "Width and height of the shadow map."),
-    parameter<&ShadowParameters::taps>("taps", "", 4, 16,
-                                       "Depth comparisons per pixel: 4 (one gather) or 16 (four)."),
+    parameter<&ShadowParameters::taps>("taps", k_shadow_taps,
+                                       "Depth comparisons per pixel: one gather of 4, or four of them."),
     parameter<&ShadowParameters::distance_m>("distance", "m", 10, 2000,
                                              "How far from the eye shadows are looked for."),
     parameter<&ShadowParameters::bias_texels>("bias", "texels", 0, 8,

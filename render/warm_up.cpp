@@ -106,7 +106,7 @@ std::vector<FrameInput> warm_up_frames(const assets::Scene& scene) {
                 static_cast<AntiAliasing>(i % k_anti_aliasing_methods.size());
             input.settings.shadows.method = i == 0 ? ShadowMethod::off : ShadowMethod::focused;
             input.settings.shadows.size_texels = 256;
-            input.settings.shadows.taps = i == 1 ? 4 : 16;
+            input.settings.shadows.taps = i == 1 ? ShadowTaps::four : ShadowTaps::sixteen;
             inputs.push_back(std::move(input));
         }
     }

@@ -22,8 +22,8 @@ using namespace generate;
 constexpr float k_quarter_rad = 1.57079633f;
 constexpr std::uint32_t k_people = 12;
 
-/// The middle of a street 9 m wide between houses of 18 m sees cos(atan(18/4.5)) = 0.24 of the sky's cosine-weighted
-/// light, a crossing about 0.5, the upper storeys nearly all of their half: between them.
+/// The middle of a street 9 m wide between houses of 18 m sees cos(atan(18/4.5)) = 0.24 of the sky's
+/// cosine-weighted light, a crossing about 0.5, the upper storeys nearly all of their half: between them.
 constexpr float k_sky_between_houses = 0.4f;
 
 /// Widths of the houses between two corner houses; each row fills block − 2 · (chamfer + corner side) = 36 m.
@@ -257,7 +257,7 @@ private:
         PavementPlan pavements = plan_pavements(plan_);
         place_.lanes = plan_lanes(plan_);
         place_.actors =
-            plan_actors(plan_, parameters_, pavements, place_.lanes, people, cars_, key_of(seed_, k_actors));
+            plan_actors(parameters_, pavements, place_.lanes, people, cars_, key_of(seed_, k_actors));
         place_.pavements = std::move(pavements.network);
     }
 

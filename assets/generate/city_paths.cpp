@@ -148,6 +148,92 @@ private:
     std::map<std::pair<int, int>, std::vector<std::uint32_t>> cells_;
 };
 
+/// Places walkers one after the other, apart from each other and without twins side by side.
+class WalkerPlanner {
+public:
+    WalkerPlanner(const PavementPlan& pavements, const std::vector<std::uint32_t>& people, Draws& draws)
+        : pavements_{pavements},
+          people_{people},
+          draws_{draws},
+          tries_(pavements.network.links.size(), 0),
+          lanes_(2 * tries_.size()),
+          seen_on_(tries_.size() * people.size(), 0),
+          seen_(people.size(), 0) {}
+
+    ActorStart next() {
+        // A crowd may fill every link: then the last try stands where it is.
+        constexpr int k_tries = 24;
+        ActorStart start = draw();
+        for (int i = 1; i < k_tries && !has_room(start); ++i)
+            start = draw();
+        if (has_room(start)) lane_of(start).push_back(along_m(start));
+        const PathNetwork::Link& link = pavements_.network.links[start.link];
+        const WalkerBand band = walker_band(link.half_width_m);
+        const float right = draws_.between(band.nearest_m, band.farthest_m);
+        start.aside_m = start.backwards ? -right : right;
+        start.speed_m_s = draws_.between(1.0f, 1.6f);
+        start.prototype = people_[least_seen_on(start.link)];
+        return start;
+    }
+
+private:
+    static constexpr float k_apart_m = 1.2f;  ///< a step and a swinging arm
+
+    ActorStart draw() {
+        const bool walked = draws_.chance(0.4f) && !pavements_.walked_links.empty();
+        const auto& choices = walked ? pavements_.walked_links : pavements_.pavement_links;
+        ActorStart start;
+        start.kind = ActorKind::walker;
+        start.link = choices[draws_.below(static_cast<std::uint32_t>(choices.size()))];
+        // Golden-ratio steps spread those of one link evenly, however many come.
+        const float share =
+            glm::fract(0.13f + 0.618034f * static_cast<float>(tries_[start.link]++) + 0.04f * draws_.unit());
+        // The ends belong to the curves of turns; starts there would be moved onto each other.
+        const PathNetwork::Link& link = pavements_.network.links[start.link];
+        const float end = glm::min(glm::max(link.half_width_m, k_apart_m) / length_m(start), 0.45f);
+        start.along = glm::mix(end, 1.0f - end, share);
+        start.backwards = draws_.chance(0.5f);
+        return start;
+    }
+    float length_m(const ActorStart& start) const {
+        const PathNetwork::Link& link = pavements_.network.links[start.link];
+        return glm::distance(pavements_.network.points[link.from], pavements_.network.points[link.to]);
+    }
+    float along_m(const ActorStart& start) const { return start.along * length_m(start); }
+    std::vector<float>& lane_of(const ActorStart& start) {
+        return lanes_[2 * start.link + (start.backwards ? 1 : 0)];
+    }
+    bool has_room(const ActorStart& start) {
+        const auto& lane = lane_of(start);
+        const float here = along_m(start);
+        return std::none_of(lane.begin(), lane.end(),
+                            [&](float other) { return std::abs(other - here) < k_apart_m; });
+    }
+    /// Who has been on this link least, then anywhere least; men and women take turns.
+    std::size_t least_seen_on(std::uint32_t link) {
+        std::uint32_t* on_link = &seen_on_[link * people_.size()];
+        constexpr std::size_t k_stride = 5;  // shares nothing with twelve; odd: men and women by turns
+        const std::size_t first = k_stride * placed_++;
+        std::size_t best = first % people_.size();
+        for (std::size_t i = 1; i < people_.size(); ++i) {
+            const std::size_t other = (first + i) % people_.size();
+            if (std::pair{on_link[other], seen_[other]} < std::pair{on_link[best], seen_[best]}) best = other;
+        }
+        ++on_link[best];
+        ++seen_[best];
+        return best;
+    }
+
+    const PavementPlan& pavements_;
+    const std::vector<std::uint32_t>& people_;
+    Draws& draws_;
+    std::vector<std::uint32_t> tries_;
+    std::vector<std::vector<float>> lanes_;  ///< per link and direction: where people start
+    std::vector<std::uint32_t> seen_on_;     ///< per link and prototype
+    std::vector<std::uint32_t> seen_;        ///< per prototype
+    std::size_t placed_ = 0;
+};
+
 }  // namespace
 
 PavementPlan plan_pavements(const CityPlan& plan) {
@@ -191,31 +277,14 @@ PathNetwork plan_lanes(const CityPlan& plan) {
     return lanes;
 }
 
-std::vector<ActorStart> plan_actors(const CityPlan& plan, const CityParameters& parameters,
-                                    const PavementPlan& pavements, const PathNetwork& lanes,
-                                    const std::vector<std::uint32_t>& people,
+std::vector<ActorStart> plan_actors(const CityParameters& parameters, const PavementPlan& pavements,
+                                    const PathNetwork& lanes, const std::vector<std::uint32_t>& people,
                                     const std::vector<std::uint32_t>& cars, std::uint64_t seed) {
     std::vector<ActorStart> actors;
     Draws draws{seed};
-    const float half = plan.street.walkway_half_width_m();
-    std::vector<std::uint32_t> on_link(pavements.network.links.size(), 0);
-    for (int n = 0; n < parameters.walkers; ++n) {
-        const bool walked = draws.chance(0.4f) && !pavements.walked_links.empty();
-        const auto& choices = walked ? pavements.walked_links : pavements.pavement_links;
-        const std::uint32_t link = choices[draws.below(static_cast<std::uint32_t>(choices.size()))];
-        ActorStart start;
-        start.kind = ActorKind::walker;
-        start.prototype = people[static_cast<std::size_t>(n) % people.size()];
-        start.link = link;
-        // Golden-ratio steps spread those of one link evenly, however many come.
-        start.along =
-            glm::fract(0.13f + 0.618034f * static_cast<float>(on_link[link]++) + 0.04f * draws.unit());
-        start.backwards = draws.chance(0.5f);
-        start.aside_m =
-            (start.backwards ? -1.0f : 1.0f) * draws.between(0.25f, 0.95f) * half;  // people keep right
-        start.speed_m_s = draws.between(1.0f, 1.6f);
-        actors.push_back(start);
-    }
+    WalkerPlanner planner{pavements, people, draws};
+    for (int n = 0; n < parameters.walkers; ++n)
+        actors.push_back(planner.next());
     std::vector<std::uint32_t> cars_on(lanes.links.size(), 0);
     for (int n = 0; n < parameters.cars; ++n) {
         ActorStart start;

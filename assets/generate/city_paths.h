@@ -32,7 +32,7 @@ struct Crossing {
 [[nodiscard]] std::vector<Crossing> plan_crossings(const CityPlan& plan);
 
 /// Walkers and cars with varied speed, in both directions; two of five walkers are in the walked street.
-[[nodiscard]] std::vector<ActorStart> plan_actors(const CityPlan& plan, const CityParameters& parameters,
+[[nodiscard]] std::vector<ActorStart> plan_actors(const CityParameters& parameters,
                                                   const PavementPlan& pavements, const PathNetwork& lanes,
                                                   const std::vector<std::uint32_t>& people,
                                                   const std::vector<std::uint32_t>& cars, std::uint64_t seed);

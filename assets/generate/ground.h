@@ -15,7 +15,12 @@ struct StreetPlan {
     [[nodiscard]] float pavement_m() const { return 0.5f * (street_width_m - carriageway_m()); }
     /// Middle of the strip that walkers use, from the façade.
     [[nodiscard]] float walkway_m() const { return 0.42f * pavement_m(); }
-    [[nodiscard]] float walkway_half_width_m() const { return glm::clamp(0.14f * pavement_m(), 0.1f, 1.5f); }
+    /// Wide enough for one line of people each way, as far as half a person fits beside the furniture.
+    [[nodiscard]] float walkway_half_width_m() const {
+        const float beside_furniture = furniture_m() - walkway_m() - 0.34f;
+        const float wanted = glm::max(0.14f * pavement_m(), glm::min(0.21f * pavement_m(), beside_furniture));
+        return glm::clamp(wanted, 0.1f, 1.5f);
+    }
     /// Where trees, lamps and benches stand, from the façade.
     [[nodiscard]] float furniture_m() const { return pavement_m() - 0.48f; }
 };

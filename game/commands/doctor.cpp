@@ -97,6 +97,7 @@ nlohmann::json to_json(const render::DeviceInfo& device, const std::vector<std::
 }
 
 int run(const Options& options) {
+    prepare_json(options.json);
     const render::DeviceInfo device = render::query_device({});
     const bool good =
         std::all_of(device.features.begin(), device.features.end(), [](const auto& f) { return meets(f); }) &&

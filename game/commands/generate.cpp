@@ -21,6 +21,7 @@ struct GenerateCommand {
 };
 
 int run(const GenerateCommand& command) {
+    prepare_json(command.options.json);
     const assets::Place place = assets::generate_place(command.options.scene, command.options.seed);
     assets::export_gltf(command.out, place.scene);
     write_json(command.options.json, {{"schema", "rambla.generate/1"},
@@ -48,6 +49,7 @@ Command add_generate(CLI::App& program) {
         ->required();
     line->add_option("--seed", command->options.seed, "Chooses among the places that the scene describes")
         ->type_name("N")
+        ->transform(whole_number())
         ->capture_default_str();
     line->add_option("-o,--out", command->out, "File to write")->type_name("FILE.glb")->required();
     add_message_options(*line, command->options);

@@ -41,6 +41,7 @@ nlohmann::json final_state(const PlayCommand& command, const Stage& stage, const
 int run(const PlayCommand& command) {
     const tbb::global_control limit = worker_limit(command.options);
     require_display();
+    prepare_json(command.options.json);
     Stage stage = make_stage(command.options.scene, command.options.seed, command.options.origin);
     PlaySession session{stage};
     spdlog::info("F1 shows the keys, Esc quits");
@@ -63,7 +64,8 @@ Command add_play(CLI::App& program) {
     add_scene_options(*line, command->options);
     add_place_options(*line, command->options);
     line->add_option("--frames", command->frames, "Ends after so many pictures (default: when you quit)")
-        ->type_name("N");
+        ->type_name("N")
+        ->transform(whole_number());
     add_picture_options(*line, command->options);
     add_message_options(*line, command->options);
     return {line, [command] {

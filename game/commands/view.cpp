@@ -3,6 +3,7 @@
 
 #include <CLI/Option.hpp>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -44,8 +45,12 @@ systems::Eye first_eye(const ViewCommand& command, const assets::Scene& scene, c
     const std::uint32_t index = command.camera.value_or(0);
     if (std::optional<systems::Eye> eye = scene_camera(scene, index, command.options.origin)) return *eye;
     if (command.camera) {
+        std::uint32_t count = 0;
+        while (scene_camera(scene, count, command.options.origin))
+            ++count;
         throw std::invalid_argument{fmt::format(
-            "--camera is {}, but {} shows fewer cameras than that by default", index, command.file.string())};
+            "--camera is {}, but {} has {}", index, command.file.string(),
+            count == 0 ? "none" : fmt::format("only {}, counted from 0, in its default scene", count))};
     }
     const glm::vec2 size{command.options.size_px};
     systems::Eye eye = eye_of(frame_bounds(box, k_fov_rad, size.x / size.y), command.options.origin);
@@ -107,6 +112,7 @@ int show_window(const ViewCommand& command, Stage& stage, const systems::Eye& ey
 }
 
 int run(ViewCommand& command) {
+    prepare_json(command.options.json);
     const tbb::global_control limit = worker_limit(command.options);
     const bool windowed = !command.options.headless && command.out.empty() && has_display();
     if (command.out.empty()) command.out = fs::path{"out"} / command.file.stem().concat(".png");
@@ -139,14 +145,20 @@ Command add_view(CLI::App& program) {
         "left button\n"
         "turns around the model, the wheel comes nearer; F1 shows the keys.\n");
     line->add_option("file", command->file, "File to show")->type_name("FILE.glb|FILE.gltf")->required();
-    line->add_option("-o,--out", command->out,
-                     "Picture to write: .png as a screen shows it, .exr linear light")
-        ->type_name("FILE");
-    line->add_flag("--headless", options.headless,
-                   "Draws without a window; into out/ unless --out says where");
+    CLI::Option* const out =
+        line->add_option("-o,--out", command->out,
+                         "Picture to write: .png as a screen shows it, .exr linear light")
+            ->type_name("FILE");
+    CLI::Option* const headless = line->add_flag("--headless", options.headless,
+                                                 "Draws without a window; into out/ unless --out says where");
     line->add_option("--camera", command->camera, "Looks through the file's camera number N, from 0")
-        ->type_name("N");
-    line->add_option("--frames", command->frames, "Closes the window after so many pictures")->type_name("N");
+        ->type_name("N")
+        ->transform(whole_number(0, std::numeric_limits<std::uint32_t>::max()));
+    line->add_option("--frames", command->frames, "Window only: closes it after so many pictures")
+        ->type_name("N")
+        ->transform(whole_number())
+        ->excludes(headless)
+        ->excludes(out);
     add_place_options(*line, options);
     add_picture_options(*line, options);
     add_message_options(*line, options);

@@ -62,6 +62,7 @@ int draw(WalkCommand& command, Stage& stage) {
 }
 
 int run(WalkCommand& command) {
+    prepare_json(command.options.json);
     const tbb::global_control limit = worker_limit(command.options);
     Stage stage = make_stage(command.options.scene, command.options.seed, command.options.origin);
     return command.no_render ? simulate(command, stage) : draw(command, stage);
@@ -88,7 +89,7 @@ Command add_walk(CLI::App& program) {
     add_place_options(*line, options);
     line->add_option("--frames", command->render.frames, "How many pictures of the walk")
         ->type_name("N")
-        ->check(CLI::Range(1, 1'000'000))
+        ->transform(whole_number(1, 1'000'000))
         ->capture_default_str();
     line->add_option("-o,--out", command->render.folder,
                      "Folder for the results; frames of an earlier walk there go")
@@ -103,7 +104,7 @@ Command add_walk(CLI::App& program) {
     line->add_option("--profile-frames", command->render.profile_frames,
                      "Frames drawn again with timers; 0: no table")
         ->type_name("N")
-        ->check(CLI::Range(0, 10'000))
+        ->transform(whole_number(0, 10'000))
         ->capture_default_str();
     line->add_option("--graph", command->render.graph,
                      "Draws the passes of the first frame and what flows between them")
@@ -116,6 +117,7 @@ Command add_walk(CLI::App& program) {
     no_render->excludes(stats);
     line->add_option("--steps", command->steps, "Simulation steps of 1/60 s; with --no-render")
         ->type_name("N")
+        ->transform(whole_number())
         ->needs(no_render)
         ->capture_default_str();
     add_picture_options(*line, options);

@@ -6,7 +6,7 @@
 namespace rambla::render {
 
 BlendPass::BlendPass(gl::ProgramRegistry& programs) : programs_{programs} {
-    static_cast<void>(program(true, ShadowParameters{}.taps >= 16, false));
+    static_cast<void>(program(true, ShadowParameters{}.taps == ShadowTaps::sixteen, false));
 }
 
 const gl::Program& BlendPass::program(bool shadowed, bool wide_filter, bool detailed) {
@@ -27,7 +27,7 @@ const gl::Program& BlendPass::program(bool shadowed, bool wide_filter, bool deta
 void BlendPass::add(RenderGraph& graph, FrameResources& resources) {
     if (resources.blended.empty()) return;
     const bool shadowed = resources.shadow_map.valid();
-    const bool wide_filter = shadowed && resources.settings.shadows.taps >= 16;
+    const bool wide_filter = shadowed && resources.settings.shadows.taps == ShadowTaps::sixteen;
     graph.add_pass(
         "blend",
         [&](PassBuilder& pass) {

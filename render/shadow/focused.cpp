@@ -35,7 +35,8 @@ shared::SunShadow constants(const shadow::SunFit& fit, const ShadowParameters& p
                                   glm::vec4{0.0f, 0.0f, 1.0f, 0.0f}, glm::vec4{0.5f, 0.5f, 0.0f, 1.0f}};
     const auto size = static_cast<float>(parameters.size_texels);
     const float texel_m = std::max(fit.texel_m.x, fit.texel_m.y);
-    const float reach_texels = parameters.taps >= 16 ? 2.0f : 1.0f;  // of the filters in shadow_lookup.glsl
+    // Of the filters in shadow_lookup.glsl.
+    const float reach_texels = parameters.taps == ShadowTaps::sixteen ? 2.0f : 1.0f;
     const float fade_m = k_fade_share * parameters.distance_m;
     return {.map_from_world = map_from_clip * fit.clip_from_world,
             .size_texels = {size, size, 1.0f / size, 1.0f / size},

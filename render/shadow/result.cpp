@@ -8,8 +8,8 @@ ShadowResultPass::ShadowResultPass(gl::ProgramRegistry& programs) : programs_{pr
     static_cast<void>(program(ShadowParameters{}.taps));
 }
 
-const gl::Program& ShadowResultPass::program(int taps) {
-    const bool wide = taps >= 16;
+const gl::Program& ShadowResultPass::program(ShadowTaps taps) {
+    const bool wide = taps == ShadowTaps::sixteen;
     const gl::Program*& variant = variants_[wide ? 1 : 0];
     if (variant == nullptr) {
         variant = &programs_.get({.name = "shadow result",

@@ -16,7 +16,7 @@ public:
     void add(RenderGraph& graph, FrameResources& resources);
 
 private:
-    [[nodiscard]] const gl::Program& program(int taps);
+    [[nodiscard]] const gl::Program& program(ShadowTaps taps);
 
     gl::ProgramRegistry& programs_;
     std::array<const gl::Program*, 2> variants_{};

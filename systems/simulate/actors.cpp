@@ -14,10 +14,6 @@
 namespace rambla::systems {
 namespace {
 
-/// Walkers keep between these shares of the half width to the right of the middle.
-constexpr float k_nearest_aside = 0.12f;
-constexpr float k_farthest_aside = 0.5f;
-
 /// Straights and curves that one step may touch; more than one only where links are shorter than a step.
 constexpr int k_pieces_per_step = 8;
 
@@ -30,8 +26,10 @@ float length(glm::vec3 v) {
     return std::sqrt(glm::dot(v, v));
 }
 
+/// A place in the band on the right; shares differ, so that fast people pass slow ones beside them.
 float aside_on(const PathGraph::Link& link, float share) {
-    return link.half_width_m * share;
+    const assets::WalkerBand band = assets::walker_band(link.half_width_m);
+    return band.nearest_m + (band.farthest_m - band.nearest_m) * share;
 }
 
 /// The leg to turn into at the end of `leg`: any way out but the one it came by, unless there is no other.
@@ -54,8 +52,7 @@ PathLeg next_leg(const PathGraph& graph, const PathFollower& follower, std::uint
         }
     }
     if (follower.kind == assets::ActorKind::walker) {
-        const float share = k_nearest_aside + (k_farthest_aside - k_nearest_aside) * unit_interval(bits);
-        next.aside_m = aside_on(graph.links()[next.link], share);
+        next.aside_m = aside_on(graph.links()[next.link], unit_interval(bits));
     }
     return next;
 }

@@ -123,7 +123,8 @@ TEST(SkyLight, WhatHousesHideOfItIsGround) {
     stage.frame.environment.sky_horizon_radiance = {0.0f, 0.0f, 1.0f};
     stage.frame.environment.ground_radiance = {1.0f, 0.0f, 0.0f};
     stage.frame.environment.sky_visibility = 0.25f;
-    stage.place(stage.square(), stage.material(matte()), glm::rotate(glm::mat4{1.0f}, -1.5707963f, {1, 0, 0}));
+    stage.place(stage.square(), stage.material(matte()),
+                glm::rotate(glm::mat4{1.0f}, -1.5707963f, {1, 0, 0}));
     stage.look({0, 3, 0.01f}, {0, 0, 0});
     const glm::vec3 floor = stage.draw().radiance(64, 64);
     EXPECT_NEAR(floor.z, 0.25f, 0.005f);  // half floats; white of roughness 1 scatters and mirrors alike

@@ -56,7 +56,8 @@ float crossing(const std::vector<float>& row, std::size_t from, int step) {
 }
 
 TEST(SunShadow, EdgesLieWhereGeometryPutsThem) {
-    for (const int taps : {4, 16}) {
+    for (const auto taps : {render::ShadowTaps::four, render::ShadowTaps::sixteen}) {
+        SCOPED_TRACE(render::k_shadow_taps[static_cast<std::size_t>(taps)]);
         Court court;
         court.add_board(court.white);
         court.stage.settings.shadows.taps = taps;
@@ -71,8 +72,8 @@ TEST(SunShadow, EdgesLieWhereGeometryPutsThem) {
         // Normal offset moves the edge by 1.5·2 texels of 2 cm times sin θ · tan θ, i.e. 0.1 m here; a pixel
         // is 0.1 m.
         const float tolerance_m = 1.5f * Court::k_pixel_m;
-        EXPECT_NEAR(crossing(row, 140, 1), 5.0f, tolerance_m) << taps;
-        EXPECT_NEAR(crossing(row, 140, -1), 3.0f, tolerance_m) << taps;
+        EXPECT_NEAR(crossing(row, 140, 1), 5.0f, tolerance_m);
+        EXPECT_NEAR(crossing(row, 140, -1), 3.0f, tolerance_m);
         // North of the shadow (z < −1) and south of it (z > 1) all is lit, up to the filter's reach.
         EXPECT_GT(profile(picture, -1.3f, lit)[140], 0.99f);
         EXPECT_GT(profile(picture, 1.3f, lit)[140], 0.99f);

@@ -94,10 +94,41 @@ TEST_F(CommandLineProgram, WrongUsageIsOneLine) {
     expect_refused({"walk", "--size", "960"}, "960");
     expect_refused({"walk", "--shadows", "focused:size=1"}, "256 to 8192");
     expect_refused({"walk", "--steps", "5"}, "--no-render");
+    expect_refused({"walk", "--shadows", "focused:taps=5"}, "4, 16");
+    expect_refused({"walk", "--tonemap", "aces:exposure=1"}, "exposure");
     expect_refused({"walk", "--scene", "moon"}, "moon");
     expect_refused({"walk", "--scene", "city:blocks=many"}, "blocks");
     expect_refused({"generate", "moon", "-o", "m.glb"}, "moon");
     expect_refused({"view"}, "file");
+}
+
+TEST_F(CommandLineProgram, ANumberBelowZeroIsOneLine) {
+    expect_refused({"walk", "--no-render", "--steps", "-1"}, "--steps: found '-1'");
+    expect_refused({"walk", "--seed", "-1"}, "--seed: found '-1'");
+    expect_refused({"walk", "--frames", "-1"}, "--frames: found '-1'");
+    expect_refused({"walk", "--profile-frames", "-1"}, "--profile-frames: found '-1'");
+    expect_refused({"play", "--frames", "-1"}, "--frames: found '-1'");
+    expect_refused({"view", "city.glb", "--frames", "-1"}, "--frames: found '-1'");
+    expect_refused({"view", "city.glb", "--camera", "-1"}, "--camera: found '-1'");
+    expect_refused({"generate", "city", "--seed", "-1", "-o", "c.glb"}, "--seed: found '-1'");
+}
+
+TEST_F(CommandLineProgram, AJsonFileThatCannotBeIsKnownBeforeTheWork) {
+    write_file(folder / "letter", "not a folder");
+    expect_refused({"generate", "city:blocks=1x1", "-o", "c.glb", "--json", "letter/c.json"},
+                   "letter/c.json");
+    EXPECT_FALSE(fs::exists(folder / "c.glb"));
+    expect_refused({"walk", "--headless", "-o", "w", "--json", "."}, "cannot be written");
+    EXPECT_FALSE(fs::exists(folder / "w"));
+    EXPECT_EQ(file_text(folder / "letter"), "not a folder");
+}
+
+TEST_F(CommandLineProgram, ViewRefusesWhatItCannotDo) {
+    write_file(folder / "square.bin", square_buffer());
+    write_file(folder / "square.gltf", square_gltf("square.bin", k_plain));
+    expect_refused({"view", "square.gltf", "--headless", "--frames", "3"}, "--headless");
+    expect_refused({"view", "square.gltf", "--out", "p.png", "--frames", "3"}, "--out");
+    expect_refused({"view", "square.gltf", "--headless", "--camera", "7"}, "square.gltf has none");
 }
 
 TEST_F(CommandLineProgram, AMissingTextureIsAWarningAndAVisiblePlaceholder) {

@@ -115,5 +115,20 @@ TEST_F(WalkProgram, FarFromTheWorldsOriginThePictureIsTheSame) {
     EXPECT_LT(mean_difference(home, far), 0.5);
 }
 
+TEST_F(WalkProgram, WholeCellsFromTheWorldsOriginEveryByteIsTheSame) {
+    // Shadows are off: the texels of the sun's map lie on a grid of the whole world, not of its cells.
+    const auto frame = [&](const char* origin, const char* out) {
+        const Ended ended =
+            rambla({"walk", "--headless", "--scene", k_small_city, "--frames", "1", "--size", "160x90",
+                    "--shadows", "off", "--profile-frames", "0", "--origin", origin, "-o", out},
+                   folder);
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        return file_text(folder / out / "frame_0000.png");
+    };
+    const std::string home = frame("0,0,0", "home");
+    EXPECT_FALSE(home.empty());
+    EXPECT_TRUE(home == frame("256000,0,-512000", "cells"));
+}
+
 }  // namespace
 }  // namespace rambla::system_test

@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An X server of its own on a free display, with a window of rambla on it, and fingers on its keyboard.
+/// An X server of its own on a free display, with a window of rambla on it, and fingers on its
+/// keyboard.
 struct Window : testing::Test {
     ScratchFolder scratch;
     fs::path folder = scratch.path();
@@ -33,17 +34,17 @@ struct Window : testing::Test {
         // Without -noreset the server starts anew whenever its last client leaves, and refuses whoever comes
         // just then.
         server = std::make_unique<Process>(
-            std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(pipe_ends[1]), "-screen", "0",
-                                     "640x480x24"},
+            std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(pipe_ends[1]), "-noreset",
+                                     "-screen", "0", "800x600x24"},
             Environment{}, folder);
         close(pipe_ends[1]);
         // The server writes its number once it takes connections; if it fails instead, the pipe just ends.
-        std::string number;
+        std::string started;
         for (char c = 0; read(pipe_ends[0], &c, 1) == 1 && c != '\n';)
-            number += c;
+            started += c;
         close(pipe_ends[0]);
-        ASSERT_FALSE(number.empty()) << "Xvfb does not start";
-        display = ":" + number;
+        ASSERT_FALSE(started.empty()) << "Xvfb does not start";
+        display = ":" + started;
     }
 
     void TearDown() override {
@@ -118,6 +119,18 @@ TEST_F(Window, AHeldKeyWalksAndEscapeQuits) {
     // W leads where the eye looks.
     const double yaw = stood["yaw_deg"].get<double>() * M_PI / 180.0;
     EXPECT_GT(-std::sin(yaw) * x - std::cos(yaw) * z, 0.1);
+}
+
+TEST_F(Window, ShiftMakesTheScreenshotLinear) {
+    start(k_play);
+    const fs::path file = folder / "out" / "screenshot_0000.exr";
+    static_cast<void>(xdotool({"key", "shift+F12"}));
+    EXPECT_TRUE(eventually([&] { return fs::exists(file) || !program->running(); }));
+    const assets::Image linear = picture(file);
+    EXPECT_EQ(linear.width, 160u);
+    EXPECT_EQ(non_finite_texels(linear), 0u);
+    EXPECT_EQ(quit().exit_code, 0);
+    EXPECT_FALSE(fs::exists(folder / "out" / "screenshot_0000.png"));
 }
 
 TEST_F(Window, HelpAndTimingsAreDrawnOverThePictureAndGoAgain) {

@@ -7,9 +7,9 @@
 #define BINDING_PASS_UNIFORMS 1   // each pass's own block
 
 // Shader storage blocks.
-#define BINDING_INSTANCES 0  // shared/instance.h, bound for the whole frame
-#define BINDING_MATERIALS 1  // shared/material.h, bound for the whole frame
-#define BINDING_LIGHTS 2     // shared/light.h, bound for the whole frame
+#define BINDING_INSTANCES 0     // shared/instance.h, bound for the whole frame
+#define BINDING_MATERIALS 1     // shared/material.h, bound for the whole frame
+#define BINDING_LIGHTS 2        // shared/light.h, bound for the whole frame
 #define BINDING_PASS_STORAGE 3  // first of each pass's own
 
 // Texture units. Material textures are bound by render/draw.h, the others by each pass.

@@ -47,7 +47,7 @@ TEST_F(CommandLine, SetsWhatItNames) {
     EXPECT_EQ(options.seed, 9u);
     EXPECT_EQ(options.size_px, glm::uvec2(320, 180));
     EXPECT_EQ(options.settings.shadows.size_texels, 1024);
-    EXPECT_EQ(options.settings.shadows.taps, 4);
+    EXPECT_EQ(options.settings.shadows.taps, render::ShadowTaps::four);
     EXPECT_EQ(options.settings.tone.curve, render::ToneCurve::aces);
     EXPECT_EQ(options.settings.tone.exposure_ev, -1.5f);
     EXPECT_EQ(options.settings.anti_aliasing.method, render::AntiAliasing::none);
@@ -63,6 +63,33 @@ TEST_F(CommandLine, ErrorsNameOptionValueAndRange) {
                 testing::HasSubstr("exposure is 'bright', expected -16 to 16 EV"));
     EXPECT_THAT(complaint("--threads 0"), testing::HasSubstr("--threads"));
     EXPECT_THAT(complaint("--nonsense"), testing::HasSubstr("--nonsense"));
+}
+
+TEST_F(CommandLine, WholeNumbersAreDigitsAlone) {
+    for (const char* const text : {"-1", "+1", "1.5", "1e3", "0x10", "many", "18446744073709551616"}) {
+        const std::string said = complaint(std::string{"--seed="} + text);
+        EXPECT_THAT(said, testing::HasSubstr("--seed")) << text;
+        EXPECT_THAT(said,
+                    testing::HasSubstr(std::string{"found '"} + text + "', expected a whole number >= 0"));
+    }
+    EXPECT_NE(complaint("--seed -1"), "");
+    EXPECT_EQ(options.seed, 1u);
+    parse("--seed 18446744073709551615");
+    EXPECT_EQ(options.seed, std::numeric_limits<std::uint64_t>::max());
+    parse("--seed 010");
+    EXPECT_EQ(options.seed, 10u) << "decimal, whatever the zeros";
+    EXPECT_THAT(complaint("--threads -1"),
+                testing::HasSubstr("'-1', expected a whole number from 1 to 1024"));
+}
+
+TEST_F(CommandLine, TapsAreFourOrSixteen) {
+    EXPECT_THAT(complaint("--shadows focused:taps=5"),
+                testing::HasSubstr("taps is '5', expected one of: 4, 16"));
+}
+
+TEST_F(CommandLine, ExposureHasOneSwitch) {
+    EXPECT_THAT(complaint("--tonemap aces:exposure=2"), testing::HasSubstr("'exposure'"));
+    EXPECT_EQ(options.settings.tone.exposure_ev, 0.0f);
 }
 
 TEST_F(CommandLine, HelpExplainsEveryField) {

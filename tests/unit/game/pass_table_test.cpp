@@ -12,7 +12,7 @@ namespace {
 
 systems::Feedback frame(double sky_ms, double light_ms, double envelope_ms) {
     systems::Feedback feedback;
-    feedback.passes = {{"sky", sky_ms, 0.1, 100}, {"light", light_ms, 0.2, 4000}};
+    feedback.passes = {{"sky", sky_ms, 0.1, 100, 700}, {"light", light_ms, 0.2, 4000, 900}};
     feedback.gpu_frame_ms = envelope_ms;
     feedback.cpu_frame_ms = 1.0;
     feedback.draws = 7;
@@ -40,6 +40,8 @@ TEST(PassTable, MediansSharesAndTheMissingRow) {
     EXPECT_DOUBLE_EQ(table.passes[0].share, 0.2);
     EXPECT_DOUBLE_EQ(table.passes[1].gpu_ms_median, 6.0);
     EXPECT_DOUBLE_EQ(table.passes[1].bytes_written, 4000.0);
+    EXPECT_DOUBLE_EQ(table.passes[0].memory_bytes, 700.0);
+    EXPECT_DOUBLE_EQ(table.frame.memory_bytes, 900.0);  // the most at any one time, not the sum
     EXPECT_DOUBLE_EQ(table.frame.gpu_ms_median, 10.0);
     EXPECT_DOUBLE_EQ(table.frame.bytes_written, 4100.0);
     // Envelope minus passes: 3, 3, 2.
@@ -57,7 +59,7 @@ TEST(PassTable, PassesThatExceedTheEnvelopeShowAsANegativeMissingRow) {
 
 TEST(PassTable, APassThatRanInFewFramesCountsAsNothingInTheOthers) {
     systems::Feedback with_hud = frame(1.0, 1.0, 5.0);
-    with_hud.passes.push_back({"hud", 3.0, 0.0, 10});
+    with_hud.passes.push_back({"hud", 3.0, 0.0, 10, 0});
     const PassTable table = make_pass_table({frame(1.0, 1.0, 2.0), with_hud, frame(1.0, 1.0, 2.0)});
     EXPECT_DOUBLE_EQ(table.passes[2].gpu_ms_median, 0.0);
     EXPECT_GT(table.passes[2].gpu_ms_p99, 2.9);

@@ -75,7 +75,7 @@ TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
     FrameInput input = warm_up_frames(scene).front();
     for (const bool emissive : {false, true}) {
         for (const auto method : {ShadowMethod::off, ShadowMethod::focused}) {
-            for (const int taps : {4, 16}) {
+            for (const auto taps : {ShadowTaps::four, ShadowTaps::sixteen}) {
                 for (std::size_t tone = 0; tone < k_tone_curves.size(); ++tone) {
                     for (std::size_t smoothing = 0; smoothing < k_anti_aliasing_methods.size(); ++smoothing) {
                         input.frame.emissive = emissive;

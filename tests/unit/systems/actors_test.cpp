@@ -106,6 +106,40 @@ TEST(Walkers, FaceWhereTheyGoAndKeepRight) {
     EXPECT_GT(straight_steps, 3000);
 }
 
+TEST(Walkers, PassOncomingOnesWithoutTouching) {
+    // A crossing, the default walkway, and wider ones; 0.01 mm is the rounding of sums of metres.
+    for (const float half_width : {0.40f, 0.45f, 0.4725f, 1.0f, 1.5f}) {
+        assets::PathNetwork street;
+        street.points = {{-40, 0, 0}, {-20, 0, 0}, {20, 0, 0}, {40, 0, 0}};
+        for (std::uint32_t i = 0; i < 3; ++i)
+            street.links.push_back({i, i + 1, half_width, true});
+        const PathGraph graph = graph_of(street);
+        // On the middle link, by direction: nearest to the other side, which lies on z < 0 going towards −x.
+        float nearest_forwards = 1e9f;
+        float nearest_backwards = 1e9f;
+        float farthest_forwards = 0.0f;
+        for (std::uint64_t who = 0; who < 40; ++who) {
+            // Starts in the middle of the link say nothing about the sides that walkers choose.
+            PathFollower follower = starting(graph, 0, walker(0, 0.5f, 0.0f, 1.6f));
+            for (int i = 0; i < 60 * 90; ++i) {
+                follower = advanced(graph, follower, 4, who, k_step);
+                if (follower.turning || follower.leg.link != 1) continue;
+                const float z = offset_m({}, place_of(graph, follower)).z;
+                ASSERT_LE(std::abs(z), half_width + 1e-5f);
+                float& nearest = follower.leg.backwards ? nearest_backwards : nearest_forwards;
+                nearest = std::min(nearest, follower.leg.backwards ? -z : z);
+                if (!follower.leg.backwards) farthest_forwards = std::max(farthest_forwards, z);
+            }
+        }
+        // Any two may meet: the worst pair's middles, less half the breadth of each.
+        const float between_shoulders = nearest_forwards + nearest_backwards - 2.0f * assets::k_walker_half_m;
+        EXPECT_GE(between_shoulders, -1e-5f) << "half width " << half_width;
+        EXPECT_LT(nearest_forwards, 1e8f);
+        EXPECT_LT(nearest_backwards, 1e8f);
+        EXPECT_GT(farthest_forwards - nearest_forwards, 0.05f) << "room to overtake";
+    }
+}
+
 TEST(Walkers, TurnBackOnlyAtDeadEnds) {
     assets::PathNetwork cross;
     cross.points = {{0, 0, 0}, {10, 0, 0}, {-10, 0, 0}, {0, 0, 10}};

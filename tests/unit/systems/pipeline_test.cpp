@@ -5,10 +5,10 @@
 
 #include <cstring>
 
+#include "support/allocation_counter.h"
 #include "systems/pack/queue.h"
 #include "systems/position.h"
 #include "systems/spawn.h"
-#include "support/allocation_counter.h"
 #include "unit/systems/random.h"
 #include "unit/systems/worlds.h"
 

@@ -25,7 +25,8 @@ const std::map<std::string, std::vector<std::string>> k_may_include{
     {"game", {"ecs/", "assets/", "systems/", "render/"}},
 };
 
-/// Rooms that see only the data types of assets: the headers in its top folder, not those that read, make or write.
+/// Rooms that see only the data types of assets: the headers in its top folder, not those that read, make or
+/// write.
 const std::set<std::string> k_data_types_only{"systems", "render"};
 
 /// Libraries that only the named folders may include, by the beginning of the include path.
@@ -50,10 +51,13 @@ const std::map<std::string, std::vector<std::string>> k_library_homes{
     {"oneapi/", {"ecs/", "assets/", "systems/", "game/"}},
 };
 
-bool starts_with(const std::string& text, const std::string& beginning) { return text.rfind(beginning, 0) == 0; }
+bool starts_with(const std::string& text, const std::string& beginning) {
+    return text.rfind(beginning, 0) == 0;
+}
 
 bool any_start(const std::string& text, const std::vector<std::string>& beginnings) {
-    return std::any_of(beginnings.begin(), beginnings.end(), [&](const auto& b) { return starts_with(text, b); });
+    return std::any_of(beginnings.begin(), beginnings.end(),
+                       [&](const auto& b) { return starts_with(text, b); });
 }
 
 struct Include {
@@ -62,7 +66,8 @@ struct Include {
 };
 
 std::vector<Include> includes_of(const std::string& text) {
-    static const std::regex pattern{R"(^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">])", std::regex::multiline};
+    static const std::regex pattern{R"(^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">])",
+                                    std::regex::multiline};
     std::vector<Include> found;
     for (std::sregex_iterator i{text.begin(), text.end(), pattern}, end; i != end; ++i) {
         found.push_back({(*i)[2].str(), (*i)[1].str() == "\""});
@@ -75,7 +80,8 @@ std::vector<std::string> crossings(const std::string& file, const std::string& t
     const std::string room = file.substr(0, file.find('/'));
     std::vector<std::string> found;
     for (const Include& include : includes_of(text)) {
-        if (include.path.find("..") != std::string::npos) found.push_back(file + ": climbs out: " + include.path);
+        if (include.path.find("..") != std::string::npos)
+            found.push_back(file + ": climbs out: " + include.path);
         const std::string other = include.path.substr(0, include.path.find('/'));
         const bool ours = std::find(k_rooms.begin(), k_rooms.end(), other) != k_rooms.end();
         if (ours && other != room && !any_start(include.path, k_may_include.at(room))) {
@@ -83,7 +89,8 @@ std::vector<std::string> crossings(const std::string& file, const std::string& t
         }
         const bool deeper = std::count(include.path.begin(), include.path.end(), '/') > 1;
         if (other == "assets" && deeper && k_data_types_only.count(room) != 0) {
-            found.push_back(file + ": " + room + " may include data types of assets only, not " + include.path);
+            found.push_back(file + ": " + room + " may include data types of assets only, not " +
+                            include.path);
         }
         for (const auto& [library, homes] : k_library_homes) {
             if (!ours && starts_with(include.path, library) && !any_start(file, homes)) {
@@ -109,7 +116,8 @@ TEST(IncludeWalls, NoSourceIncludesAcrossAForbiddenEdge) {
             const std::string extension = entry.path().extension().string();
             if (extension != ".h" && extension != ".cpp") continue;
             ++files;
-            for (const std::string& crossing : crossings(fs::relative(entry.path(), root).string(), read(entry.path()))) {
+            for (const std::string& crossing :
+                 crossings(fs::relative(entry.path(), root).string(), read(entry.path()))) {
                 ADD_FAILURE() << crossing;
             }
         }
@@ -124,7 +132,8 @@ TEST(IncludeWalls, TheCheckSeesEachKindOfCrossing) {
     EXPECT_EQ(crossings("render/renderer.cpp", "#include \"../systems/spawn.h\"\n").size(), 1u);
     EXPECT_EQ(crossings("game/app.cpp", "#include <tiny_gltf.h>\n").size(), 1u);
     EXPECT_EQ(crossings("systems/spawn.cpp", "#include \"assets/import/gltf.h\"\n").size(), 1u);
-    EXPECT_EQ(crossings("render/renderer.cpp", "#include \"systems/frame.h\"\n#include <epoxy/gl.h>\n").size(), 0u);
+    EXPECT_EQ(
+        crossings("render/renderer.cpp", "#include \"systems/frame.h\"\n#include <epoxy/gl.h>\n").size(), 0u);
 }
 
 }  // namespace

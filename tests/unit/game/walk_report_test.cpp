@@ -1,0 +1,36 @@
+#include "game/walk_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace rambla::game {
+namespace {
+
+WalkMeasures walk_of(std::size_t frames) {
+    WalkMeasures measures;
+    measures.run_s = 2.0;
+    measures.drawn.resize(frames);
+    return measures;
+}
+
+TEST(WalkReport, StatesTheTimeOfAFrame) {
+    WalkMeasures measures = walk_of(5);
+    measures.frame_ms = {10.0, 30.0, 20.0};
+    EXPECT_THAT(summary_text(measures), testing::HasSubstr("2.50 frames per second; a frame takes 20.0 ms"));
+    EXPECT_EQ(summary_json(measures)["frame_ms_median"], 20.0);
+    // Interpolated between the two largest of three: 20 + 0.98 * 10.
+    EXPECT_NEAR(summary_json(measures)["frame_ms_p99"].get<double>(), 29.8, 1e-9);
+}
+
+TEST(WalkReport, AWalkTooShortForFrameTimesStatesNone) {
+    const WalkMeasures measures = walk_of(2);
+    EXPECT_THAT(summary_text(measures), testing::HasSubstr("1.00 frames per second\n"));
+    EXPECT_THAT(summary_text(measures), testing::Not(testing::HasSubstr("a frame takes")));
+    EXPECT_TRUE(summary_json(measures)["frame_ms_median"].is_null());
+    EXPECT_TRUE(summary_json(measures)["frame_ms_p99"].is_null());
+}
+
+}  // namespace
+}  // namespace rambla::game
