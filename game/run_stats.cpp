@@ -3,22 +3,22 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "game/pass_table.h"
+#include "game/statistics.h"
 
 namespace rambla::game {
 namespace {
 
 constexpr std::size_t k_fewest_samples = 8;  // quarters of two at least
 
-/// The floor: encoders and a driver's bins come and go above it, but what leaks raises even the lowest
-/// sample.
-std::int64_t least_resident_bytes(std::span<const HeldSample> samples) {
-    const auto least = std::min_element(
-        samples.begin(), samples.end(),
-        [](const HeldSample& a, const HeldSample& b) { return a.resident_bytes < b.resident_bytes; });
-    return static_cast<std::int64_t>(least->resident_bytes);
+double median_resident_bytes(std::span<const HeldSample> samples) {
+    std::vector<double> bytes;
+    for (const HeldSample& sample : samples)
+        bytes.push_back(static_cast<double>(sample.resident_bytes));
+    return median(bytes);
 }
 
 template <class Member>
@@ -54,7 +54,7 @@ Steadiness steadiness(const std::vector<HeldSample>& samples) {
     const std::span<const HeldSample> early = settled.first(quarter);
     const std::span<const HeldSample> late = settled.last(quarter);
     Steadiness result{.known = true};
-    result.resident_growth_bytes = least_resident_bytes(late) - least_resident_bytes(early);
+    result.resident_growth_bytes = std::llround(median_resident_bytes(late) - median_resident_bytes(early));
     result.gpu_growth_bytes = most(late, &HeldSample::gpu_bytes) - most(early, &HeldSample::gpu_bytes);
     result.gl_object_growth = most(late, &HeldSample::gl_objects) - most(early, &HeldSample::gl_objects);
     result.steady = result.resident_growth_bytes <= k_resident_tolerance_bytes &&

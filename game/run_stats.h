@@ -18,14 +18,15 @@ struct HeldSample {
 struct Steadiness {
     bool known = false;  ///< false: the run was too short to tell
     bool steady = false;
-    std::int64_t resident_growth_bytes = 0;  ///< between the least of the first and of the last quarter
+    std::int64_t resident_growth_bytes = 0;  ///< between the median of the first and of the last quarter
     std::int64_t gpu_growth_bytes = 0;       ///< between the most of the first and of the last quarter
     std::int64_t gl_object_growth = 0;       ///< likewise
 };
 
 /// Frames before this one fill caches, pools and queues; nothing after it may grow.
 inline constexpr std::uint64_t k_settled_frame = 50;
-/// The least resident memory may differ by this much: allocators and the kernel round.
+/// Resident memory may differ by this much: allocators and the kernel round, encoders hold a few pictures or
+/// none.
 inline constexpr std::int64_t k_resident_tolerance_bytes = 4ll << 20;
 
 /// Compares the first and the last quarter of the samples from k_settled_frame on.
