@@ -17,6 +17,7 @@
 #include "assets/export/image.h"
 #include "game/camera_path.h"
 #include "game/contact_sheet.h"
+#include "game/heap_meter.h"
 #include "game/pass_table.h"
 #include "game/picture_writer.h"
 #include "game/process_memory.h"
@@ -76,25 +77,6 @@ public:
         measures_.drawn.reserve(walk.frames);
         measures_.held.reserve(walk.frames);
         measures_.profiled.reserve(walk.profile_frames + k_profile_warm_up);
-    }
-
-    /// Shows the way to the driver before its memory is watched: software rasterisers keep bins for the
-    /// heaviest frame so far, wherever on the way that comes, and that is no growth of ours. The world stays
-    /// as it is.
-    void rehearse() {
-        const std::uint32_t count = walk_.frames;
-        Progress progress{"Rehearsing", count, !options_.quiet};
-        for (std::uint32_t i = 0; i < count && !interrupted(); ++i) {
-            render::FrameInput& input = thread_->begin();
-            fill(input, i, 1.0f);
-            input.frame.capture = {.display = true, .linear = walk_.format == "exr"};
-            input.draw_graph = false;
-            thread_->submit();
-            static_cast<void>(thread_->collect());
-            progress.update(i + 1);
-        }
-        thread_->finish();
-        static_cast<void>(thread_->collect());
     }
 
     void draw_walk() {
@@ -170,6 +152,7 @@ public:
             result.text += "\n" + to_text(measures_.held, k_stats_every_frames);
             result.json["steady"] =
                 result.steadiness.known ? nlohmann::json(result.steadiness.steady) : nlohmann::json();
+            result.json["heap_growth_bytes"] = result.steadiness.heap_growth_bytes;
             result.json["resident_growth_bytes"] = result.steadiness.resident_growth_bytes;
             result.json["gl_object_growth"] = result.steadiness.gl_object_growth;
         }
@@ -204,6 +187,7 @@ private:
             const auto frame = static_cast<std::uint32_t>(measures_.drawn.size());
             if (!output.graph_svg.empty()) assets::write_text(walk_.graph, output.graph_svg);
             measures_.held.push_back({.frame = frame,
+                                      .heap_bytes = heap_bytes(),
                                       .resident_bytes = resident_bytes(),
                                       .gpu_bytes = output.feedback.gpu_memory_bytes,
                                       .gl_objects = output.feedback.gl_objects});
@@ -250,7 +234,6 @@ private:
 WalkResult render_walk(Stage& stage, const Options& options, const WalkRender& walk) {
     prepare_folder(walk.folder);
     WalkRun run{stage, options, walk};
-    if (walk.stats) run.rehearse();
     run.draw_walk();
     run.draw_profile();
     return run.result();

@@ -110,8 +110,8 @@ Command add_walk(CLI::App& program) {
                      "Draws the passes of the first frame and what flows between them")
         ->type_name("FILE.svg");
     CLI::Option* const stats = line->add_flag("--stats", command->render.stats,
-                                              "Prints memory and GL objects along the way, after a "
-                                              "rehearsal; ends with 1 if they grow after frame 50");
+                                              "Prints memory and GL objects along the way; ends "
+                                              "with 1 if they grow after frame 50");
     CLI::Option* const no_render =
         line->add_flag("--no-render", command->no_render, "Only simulates, --steps of it");
     no_render->excludes(stats);
