@@ -1,0 +1,6 @@
+#include "bench/ecs/targets.h"
+#include "bench/harness/run.h"
+
+int main(int argc, char** argv) {
+    return rambla::bench::run("ecs", rambla::bench::k_ecs_targets, argc, argv);
+}
