@@ -1,12 +1,16 @@
 #include "ecs/archetype.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "ecs/misuse.h"
+#include "ecs/relocate.h"
 
 namespace rambla::ecs {
+
+using detail::destroy_rows;
+using detail::relocate_rows;
+
 namespace {
 
 /// Columns that begin at the same place of their pages would fight for the same sets of a cache and make
@@ -24,18 +28,6 @@ constexpr std::size_t stagger(std::size_t column) {
     return column % k_staggered_columns * k_stagger_bytes;
 }
 
-void relocate_rows(const ComponentInfo& info, std::byte* to, std::byte* from, std::size_t rows) noexcept {
-    if (info.relocate != nullptr) {
-        info.relocate(to, from, rows);
-    } else {
-        std::memcpy(to, from, rows * info.size);
-    }
-}
-
-void destroy_rows(const ComponentInfo& info, std::byte* first, std::size_t rows) noexcept {
-    if (info.destroy != nullptr) info.destroy(first, rows);
-}
-
 }  // namespace
 
 Archetype::Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector<ComponentId> signature,
@@ -46,9 +38,12 @@ Archetype::Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector
     for (std::size_t i = 0; i < signature_.size(); ++i) {
         const bool tag = infos[i]->size == 0;
         column_of_[signature_[i]] = tag ? k_tag_column : static_cast<ColumnIndex>(columns_.size());
-        if (!tag) columns_.push_back({nullptr, infos[i], signature_[i]});
+        if (tag) continue;
+        columns_.push_back({nullptr, infos[i], infos[i]->size, signature_[i], infos[i]->relocate == nullptr});
+        ends_quietly_ = ends_quietly_ && infos[i]->destroy == nullptr;
     }
     columns_.shrink_to_fit();
+    version_stride_ = static_cast<std::uint32_t>(columns_.size()) + 1;
 }
 
 Archetype::~Archetype() {
@@ -58,17 +53,9 @@ Archetype::~Archetype() {
     release_block();
 }
 
-std::uint32_t Archetype::push(Entity entity, std::uint32_t version) noexcept {
-    const std::uint32_t row = rows_++;
-    entities_[row] = entity;
-    versions_[row / k_chunk_rows * version_stride()] = version;
-    return row;
-}
-
-Entity Archetype::erase(std::uint32_t row, std::uint32_t version) noexcept {
+void Archetype::end_row(std::uint32_t row) noexcept {
     for (const Column& column : columns_)
         destroy_rows(*column.info, column.at(row), 1);
-    return close_gap(row, version);
 }
 
 std::uint32_t Archetype::move_to(Archetype& to, std::uint32_t row, std::uint32_t version) noexcept {
@@ -78,23 +65,12 @@ std::uint32_t Archetype::move_to(Archetype& to, std::uint32_t row, std::uint32_t
         while (target != to.columns_.end() && target->component < source.component)
             ++target;
         if (target != to.columns_.end() && target->component == source.component) {
-            relocate_rows(*source.info, target->at(target_row), source.at(row), 1);
+            source.relocate_row(target->at(target_row), row);
         } else {
             destroy_rows(*source.info, source.at(row), 1);
         }
     }
     return target_row;
-}
-
-Entity Archetype::close_gap(std::uint32_t row, std::uint32_t version) noexcept {
-    const std::uint32_t last = --rows_;
-    versions_[last / k_chunk_rows * version_stride()] = version;
-    if (row == last) return {};
-    for (const Column& column : columns_)
-        relocate_rows(*column.info, column.at(row), column.at(last), 1);
-    entities_[row] = entities_[last];
-    versions_[row / k_chunk_rows * version_stride()] = version;
-    return entities_[row];
 }
 
 std::uint32_t Archetype::version(ColumnIndex column, std::uint32_t chunk) const {

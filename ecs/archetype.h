@@ -8,6 +8,7 @@
 #include "ecs/block_pool.h"
 #include "ecs/component.h"
 #include "ecs/memory.h"
+#include "ecs/relocate.h"
 
 namespace rambla::ecs {
 
@@ -43,10 +44,20 @@ public:
     struct Column {
         std::byte* base = nullptr;
         const ComponentInfo* info = nullptr;
+        std::uint32_t size = 0;  ///< info->size, here because every move of a row needs it
         ComponentId component = k_no_component;
+        bool moves_by_bytes = true;
 
         [[nodiscard]] std::byte* at(std::uint32_t row) const {
-            return base + static_cast<std::size_t>(row) * info->size;
+            return base + static_cast<std::size_t>(row) * size;
+        }
+        /// Moves one row to raw memory and leaves raw memory behind.
+        void relocate_row(std::byte* to, std::uint32_t row) const noexcept {
+            if (moves_by_bytes) {
+                detail::copy_row(to, at(row), size);
+            } else {
+                info->relocate(to, at(row), 1);
+            }
         }
     };
 
@@ -76,15 +87,31 @@ public:
     }
     /// Appends a row whose components are raw memory that the caller fills at once; reserve_one() came
     /// before.
-    std::uint32_t push(Entity entity, std::uint32_t version) noexcept;
+    std::uint32_t push(Entity entity, std::uint32_t version) noexcept {
+        const std::uint32_t row = rows_++;
+        entities_[row] = entity;
+        stamp_rows(row, version);
+        return row;
+    }
     /// Ends a row's components and closes the gap. Returns the entity that took over the row, null if it was
     /// last.
-    Entity erase(std::uint32_t row, std::uint32_t version) noexcept;
+    Entity erase(std::uint32_t row, std::uint32_t version) noexcept {
+        if (!ends_quietly_) end_row(row);
+        return close_gap(row, version);
+    }
     /// Moves a row's components to `to`, whose reserve_one() came before: shared ones are relocated, those
     /// that `to` lacks end, those that only `to` has stay raw. The caller then closes the gap.
     std::uint32_t move_to(Archetype& to, std::uint32_t row, std::uint32_t version) noexcept;
     /// Fills the gap that move_to() left. Returns the entity that took over the row, null if it was last.
-    Entity close_gap(std::uint32_t row, std::uint32_t version) noexcept;
+    Entity close_gap(std::uint32_t row, std::uint32_t version) noexcept {
+        const std::uint32_t last = --rows_;
+        stamp_rows(last, version);
+        if (row == last) return {};
+        for (const Column& column : columns_)
+            column.relocate_row(column.at(row), last);
+        stamp_rows(row, version);
+        return entities_[row] = entities_[last];
+    }
 
     /// Version at which a chunk's column was last written, rows coming and going included.
     [[nodiscard]] std::uint32_t version(ColumnIndex column, std::uint32_t chunk) const;
@@ -101,6 +128,7 @@ private:
     void grow_reserved(std::uint32_t capacity);
     void commit(std::span<ReservedMemory> columns, std::uint32_t capacity) const;
     void release_block() noexcept;
+    void end_row(std::uint32_t row) noexcept;
     void reserve_versions(std::uint32_t capacity);
     /// Relocates all rows to where next_base(bytes per row) says, for the entities first, then for each
     /// column.
@@ -109,7 +137,10 @@ private:
     /// Of the entities (0) or a column (from 1).
     [[nodiscard]] std::size_t row_bytes(std::size_t column) const;
     [[nodiscard]] std::size_t block_bytes(std::uint32_t capacity) const;
-    [[nodiscard]] std::size_t version_stride() const { return columns_.size() + 1; }
+    [[nodiscard]] std::size_t version_stride() const { return version_stride_; }
+    void stamp_rows(std::uint32_t row, std::uint32_t version) noexcept {
+        versions_[row / k_chunk_rows * version_stride()] = version;
+    }
 
     ArchetypeStorage& storage_;
     std::uint32_t index_;
@@ -119,6 +150,8 @@ private:
     std::vector<Column> columns_;
     std::vector<ColumnIndex> column_of_;  ///< by component number
     std::vector<ComponentId> signature_;
+    std::uint32_t version_stride_ = 1;      ///< columns and one
+    bool ends_quietly_ = true;              ///< no component has a destructor to call
     std::byte* block_ = nullptr;            ///< all columns, while they share a block
     std::vector<ReservedMemory> reserved_;  ///< entities, then the columns, once each has its own
     std::vector<std::uint32_t> versions_;   ///< per chunk: rows coming and going, then one per column

@@ -30,9 +30,29 @@ public:
         if (first_free_ == k_none && size_ == capacity_) grow();
     }
     /// Uses a slot; reserve_one() came before.
-    Entity take(std::uint32_t archetype, std::uint32_t row) noexcept;
+    Entity take(std::uint32_t archetype, std::uint32_t row) noexcept {
+        ++alive_;
+        if (first_free_ == k_none) {
+            records()[size_] = {1, archetype, row};
+            return {size_++, 1};
+        }
+        const std::uint32_t index = first_free_;
+        EntityRecord& record = records()[index];
+        first_free_ = record.row;
+        record.archetype = archetype;
+        record.row = row;
+        return {index, record.generation};
+    }
     /// Frees the slot of a living entity. A slot whose generations are used up is never used again.
-    void give_back(std::uint32_t index) noexcept;
+    void give_back(std::uint32_t index) noexcept {
+        EntityRecord& record = records()[index];
+        record.archetype = k_no_archetype;
+        --alive_;
+        if (record.generation == k_last_generation) return;
+        ++record.generation;
+        record.row = first_free_;
+        first_free_ = index;
+    }
 
     /// The record of a living entity, else null.
     [[nodiscard]] EntityRecord* find(Entity entity) noexcept {
@@ -51,6 +71,7 @@ public:
 
 private:
     static constexpr std::uint32_t k_none = 0xffffffffu;
+    static constexpr std::uint32_t k_last_generation = 0xffffffffu;
 
     void grow();
     [[nodiscard]] EntityRecord* records() const noexcept {

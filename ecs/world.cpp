@@ -19,14 +19,6 @@ World::World(const WorldOptions& options)
 
 World::~World() = default;
 
-World::Created World::create_in(Archetype& archetype) {
-    detail::IterationMark::forbid(*this, "create");
-    entities_.reserve_one();
-    archetype.reserve_one();
-    const Entity entity = entities_.take(archetype.index(), archetype.rows());
-    return {entity, archetype.push(entity, version_)};
-}
-
 void World::destroy(Entity entity) {
     detail::IterationMark::forbid(*this, "destroy");
     EntityRecord* record = entities_.find(entity);
@@ -78,7 +70,7 @@ Archetype& World::move(EntityRecord& record, Archetype& to) {
 
 std::size_t World::memory_bytes() const {
     return sizeof(World) + entities_.memory_bytes() + graph_.memory_bytes() +
-           bundles_.capacity() * sizeof(Archetype*) + resources_.memory_bytes();
+           bundles_.capacity() * sizeof(BundlePlace) + resources_.memory_bytes();
 }
 
 }  // namespace rambla::ecs

@@ -122,9 +122,23 @@ private:
     struct Bundle {};
 
     [[nodiscard]] Archetype& empty_archetype() const { return graph_[0]; }
+    /// The archetype of a bundle, and which of its columns the components go to, in the order of the list.
+    struct BundlePlace {
+        Archetype* archetype = nullptr;
+        std::unique_ptr<ColumnIndex[]> columns;
+    };
+
     template <class... Cs>
-    Archetype& bundle_archetype();
-    Created create_in(Archetype& archetype);
+    const BundlePlace& bundle_place();
+    template <class... Cs>
+    const BundlePlace& make_bundle_place(std::uint32_t bundle);
+    Created create_in(Archetype& archetype) {
+        detail::IterationMark::forbid(*this, "create");
+        entities_.reserve_one();
+        archetype.reserve_one();
+        const Entity entity = entities_.take(archetype.index(), archetype.rows());
+        return {entity, archetype.push(entity, version_)};
+    }
     /// Where to construct the component: raw memory, null for tags. Moves the entity, or ends the old value.
     void* slot_for(Entity entity, const ComponentInfo& info);
     void take_away(Entity entity, const ComponentInfo& info);
@@ -141,22 +155,31 @@ private:
     Resources resources_;  // first, so that components may still use them when they end
     EntityTable entities_;
     ArchetypeGraph graph_;
-    std::vector<Archetype*> bundles_;  ///< by type index of the Bundle
-    std::uint64_t serial_;             ///< never used twice: how queries know the world they have cached
+    std::vector<BundlePlace> bundles_;  ///< by type index of the Bundle
+    std::uint64_t serial_;              ///< never used twice: how queries know the world they have cached
     std::uint32_t version_ = 1;
 };
 
 // ----------------------------------------------------------------------------------------------------
 
 template <class... Cs>
-Archetype& World::bundle_archetype() {
+const World::BundlePlace& World::bundle_place() {
     const std::uint32_t bundle = type_index<Bundle<Cs...>>();
-    if (bundle < bundles_.size() && bundles_[bundle] != nullptr) return *bundles_[bundle];
+    if (bundle < bundles_.size() && bundles_[bundle].archetype != nullptr) return bundles_[bundle];
+    return make_bundle_place<Cs...>(bundle);
+}
+
+template <class... Cs>
+const World::BundlePlace& World::make_bundle_place(std::uint32_t bundle) {
     std::array<ComponentId, sizeof...(Cs)> signature{graph_.component(component_info<Cs>())...};
+    const std::array<ComponentId, sizeof...(Cs)> as_listed = signature;
     Archetype& archetype = graph_.with_signature(signature);
     if (bundles_.size() <= bundle) bundles_.resize(bundle + 1);
-    bundles_[bundle] = &archetype;
-    return archetype;
+    bundles_[bundle].columns = std::make_unique<ColumnIndex[]>(sizeof...(Cs));
+    for (std::size_t i = 0; i < as_listed.size(); ++i)
+        bundles_[bundle].columns[i] = archetype.column_of(as_listed[i]);
+    bundles_[bundle].archetype = &archetype;
+    return bundles_[bundle];
 }
 
 template <class C>
@@ -169,10 +192,10 @@ void World::construct(Archetype& archetype, ColumnIndex column, std::uint32_t ro
 template <Component... Cs>
 requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
     static_assert(detail::k_all_differ<Cs...>, "an entity has each component once");
-    Archetype& archetype = bundle_archetype<Cs...>();
-    const Created created = create_in(archetype);
-    (construct(archetype, archetype.column_of(graph_.find_component(type_index<Cs>())), created.row, values),
-     ...);
+    const BundlePlace& place = bundle_place<Cs...>();
+    const Created created = create_in(*place.archetype);
+    const ColumnIndex* column = place.columns.get();
+    (construct(*place.archetype, *column++, created.row, values), ...);
     return created.entity;
 }
 

@@ -1,0 +1,87 @@
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "ecs/world.h"
+
+namespace rambla::ecs {
+namespace {
+
+struct Place {
+    float x = 1.0f, y = 2.0f, z = 3.0f;
+};
+struct Speed {
+    float x = 4.0f, y = 5.0f, z = 6.0f;
+};
+
+/// A handle's slot as a bare program keeps it: where the row is, and how often the slot was used.
+struct Slot {
+    std::uint32_t row;
+    std::uint32_t generation;
+};
+
+void sizes(benchmark::internal::Benchmark* benchmark) {
+    benchmark->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMicrosecond);
+}
+
+void bare(benchmark::State& state) {
+    const auto count = static_cast<std::uint32_t>(state.range(0));
+    for (auto _ : state) {
+        std::vector<Entity> entities;
+        std::vector<Place> places;
+        std::vector<Speed> speeds;
+        std::vector<Slot> slots;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            slots.push_back({i, 1});
+            entities.push_back({i, 1});
+            places.push_back({});
+            speeds.push_back({});
+        }
+        benchmark::DoNotOptimize(places.data());
+        benchmark::DoNotOptimize(speeds.data());
+        benchmark::DoNotOptimize(entities.data());
+        benchmark::DoNotOptimize(slots.data());
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * count);
+}
+
+/// A world whose memory was used before: a round of creating and destroying came first.
+class WarmWorld {
+public:
+    explicit WarmWorld(std::uint32_t count) : entities_(count) {
+        fill();
+        empty();
+    }
+    void fill() {
+        for (Entity& entity : entities_)
+            entity = world_.create(Place{}, Speed{});
+    }
+    void empty() {
+        for (Entity entity : entities_)
+            world_.destroy(entity);
+    }
+
+private:
+    World world_;
+    std::vector<Entity> entities_;
+};
+
+void rambla(benchmark::State& state) {
+    const auto count = static_cast<std::uint32_t>(state.range(0));
+    WarmWorld warm{count};
+    for (auto _ : state) {
+        warm.fill();
+        state.PauseTiming();
+        warm.empty();
+        state.ResumeTiming();
+    }
+    state.SetItemsProcessed(state.iterations() * count);
+}
+
+BENCHMARK(bare)->Name("create/bare")->Apply(sizes);
+BENCHMARK(rambla)->Name("create/rambla")->Apply(sizes);
+
+}  // namespace
+}  // namespace rambla::ecs
