@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "ecs/query.h"
+#include "property/ecs/queries.h"
+#include "property/ecs/twins.h"
+
+namespace rambla::ecs::property {
+namespace {
+
+bool later(std::uint32_t version, std::uint32_t than) {
+    return static_cast<std::int32_t>(version - than) > 0;
+}
+
+/// What was written is in a chunk that says so.
+template <class C>
+void check_written(const World& world, Model& model) {
+    Query<Entity, const C> query;
+    for (const auto& chunk : query.chunks(world)) {
+        const std::uint32_t version = chunk.template version<C>();
+        expect(!later(version, world.version()), "a chunk was written in the future");
+        for (const Entity handle : chunk.template get<0>()) {
+            const ModelEntity& entity = model.at(handle);
+            expect(!later(entity.written[part_number<C>()], version) && !later(entity.moved, version),
+                   "a write does not show in its chunk's version");
+        }
+    }
+}
+
+/// After one write to one entity, exactly its chunk shows a change, and in that part only.
+template <class C>
+void check_single_write(World& world, Model& model, Entity writing) {
+    const std::uint32_t seen = world.advance_version();
+    if (C* part = world.try_get_mut<C>(writing)) {
+        *part = make_part<C>(seen);
+        ModelEntity& state = model.at(writing);
+        state.parts[part_number<C>()] = value_of<C>(seen);
+        state.written[part_number<C>()] = world.version();
+    }
+    Query<Entity, Optional<const Health>, Optional<const Position>, Optional<const Anchored>> query;
+    for (const auto& chunk : query.chunks(static_cast<const World&>(world))) {
+        const auto changed = [&]<class D>() {
+            bool holds_it = false;
+            for (const Entity handle : chunk.template get<0>())
+                holds_it = holds_it || handle == writing;
+            const bool written = std::is_same_v<C, D> && holds_it && model.at(writing).has(part_number<D>());
+            expect(chunk.template changed_since<D>(seen) == written, "a version changes without a write");
+        };
+        changed.template operator()<Health>();
+        changed.template operator()<Position>();
+        changed.template operator()<Anchored>();
+    }
+}
+
+template <class F>
+void expect_misuse(F&& call, const char* what) {
+    try {
+        call();
+    } catch (const Misuse&) {
+        return;
+    }
+    throw Disagreement{what};
+}
+
+}  // namespace
+
+void Twins::check_query(const Operation& operation) {
+    queries_->check(operation.a, world_, model_);
+}
+
+void Twins::write_through_query(const Operation& operation) {
+    say("write all Health and Position of what is not frozen");
+    Query<Entity, Health, Optional<Position>, Without<Frozen>> query;
+    std::uint32_t n = operation.a;
+    query.each(world_, [&](Entity entity, Health& health, Position* position) {
+        ModelEntity& state = model_.at(entity);
+        health = make_part<Health>(++n);
+        set(state, part_number<Health>(), value_of<Health>(n));
+        if (position == nullptr) return;
+        *position = make_part<Position>(n);
+        set(state, part_number<Position>(), value_of<Position>(n));
+    });
+}
+
+void Twins::check_versions(const Operation& operation) {
+    say("check versions");
+    check_written<Health>(world_, model_);
+    check_written<Position>(world_, model_);
+    check_written<Anchored>(world_, model_);
+    check_written<Owner>(world_, model_);
+    const std::optional<Entity> entity = target(operation);
+    if (!entity) return;
+    check_single_write<Health>(world_, model_, *entity);
+    check_single_write<Position>(world_, model_, *entity);
+    check_single_write<Anchored>(world_, model_, *entity);
+}
+
+void Twins::check_versions_of_rows(const Operation& operation) {
+    Query<Entity, const Health> query;
+    std::unordered_map<const Entity*, std::vector<Entity>> before;
+    for (const auto& chunk : query.chunks(world_)) {
+        const auto entities = chunk.get<0>();
+        before[entities.data()].assign(entities.begin(), entities.end());
+    }
+    const std::uint32_t seen = world_.advance_version();
+    switch (operation.c % 3) {
+        case 0:
+            create(operation);
+            break;
+        case 1:
+            destroy(operation);
+            break;
+        default:
+            remove(operation);
+    }
+    for (const auto& chunk : query.chunks(world_)) {
+        const auto entities = chunk.get<0>();
+        const auto known = before.find(entities.data());
+        const bool other_rows = known != before.end() && !std::ranges::equal(known->second, entities);
+        expect(!other_rows || chunk.changed_since<Health>(seen), "rows come or go without a new version");
+    }
+}
+
+void Twins::change_while_iterating(const Operation& operation) {
+    const std::optional<Entity> entity = target(operation);
+    if (!entity) return;
+    Query<Entity> query;
+    for (const auto& chunk : query.chunks(world_)) {
+        expect(chunk.size() != 0, "a chunk without rows");
+        expect_misuse([&] { world_.create(Health{1}); }, "create while iterating");
+        expect_misuse([&] { world_.destroy(*entity); }, "destroy while iterating");
+        expect_misuse([&] { world_.add(*entity, Byte{1}); }, "add while iterating");
+        expect_misuse([&] { queue_.apply(world_); }, "apply while iterating");
+        break;
+    }
+}
+
+}  // namespace rambla::ecs::property
