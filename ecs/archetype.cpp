@@ -32,7 +32,10 @@ constexpr std::size_t stagger(std::size_t column) {
 
 Archetype::Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector<ComponentId> signature,
                      std::span<const ComponentInfo* const> infos)
-    : storage_{storage}, index_{index}, signature_{std::move(signature)} {
+    : storage_{storage},
+      index_{index},
+      signature_{std::move(signature)},
+      rows_version_{storage.oldest_version} {
     if (signature_.empty()) return;
     column_of_.assign(signature_.back() + std::size_t{1}, k_no_column);
     for (std::size_t i = 0; i < signature_.size(); ++i) {
@@ -41,9 +44,11 @@ Archetype::Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector
         if (tag) continue;
         columns_.push_back({nullptr, infos[i], infos[i]->size, signature_[i], infos[i]->relocate == nullptr});
         ends_quietly_ = ends_quietly_ && infos[i]->destroy == nullptr;
+        has_companions_ = has_companions_ || infos[i]->is_companion;
     }
     columns_.shrink_to_fit();
     version_stride_ = static_cast<std::uint32_t>(columns_.size()) + 1;
+    latest_.assign(columns_.size(), storage.oldest_version);
 }
 
 Archetype::~Archetype() {
@@ -51,6 +56,12 @@ Archetype::~Archetype() {
         if (rows_ != 0) destroy_rows(*column.info, column.base, rows_);
     }
     release_block();
+}
+
+void Archetype::clear_companions(std::uint32_t row) noexcept {
+    for (const Column& column : columns_) {
+        if (column.info->is_companion) *column.at(row) = std::byte{0};
+    }
 }
 
 void Archetype::end_row(std::uint32_t row) noexcept {
@@ -73,18 +84,20 @@ std::uint32_t Archetype::move_to(Archetype& to, std::uint32_t row, std::uint32_t
     return target_row;
 }
 
-std::uint32_t Archetype::version(ColumnIndex column, std::uint32_t chunk) const {
-    const std::uint32_t* versions = versions_.data() + chunk * version_stride();
-    const std::uint32_t rows_changed = versions[0];
-    const std::uint32_t written = versions[1u + column];
-    return static_cast<std::int32_t>(written - rows_changed) > 0 ? written : rows_changed;
+void Archetype::age_versions(std::uint32_t oldest) noexcept {
+    for (std::uint32_t& version : versions_)
+        version = later(version, oldest);
+    for (std::uint32_t& version : latest_)
+        version = later(version, oldest);
+    rows_version_ = later(rows_version_, oldest);
 }
 
 std::size_t Archetype::memory_bytes() const {
-    std::size_t bytes =
-        sizeof(Archetype) + columns_.capacity() * sizeof(Column) +
-        column_of_.capacity() * sizeof(ColumnIndex) + signature_.capacity() * sizeof(ComponentId) +
-        reserved_.capacity() * sizeof(ReservedMemory) + versions_.capacity() * sizeof(std::uint32_t);
+    std::size_t bytes = sizeof(Archetype) + columns_.capacity() * sizeof(Column) +
+                        column_of_.capacity() * sizeof(ColumnIndex) +
+                        signature_.capacity() * sizeof(ComponentId) +
+                        reserved_.capacity() * sizeof(ReservedMemory) +
+                        (versions_.capacity() + latest_.capacity()) * sizeof(std::uint32_t);
     for (const ReservedMemory& memory : reserved_)
         bytes += memory.committed_bytes();
     return bytes;
@@ -149,7 +162,8 @@ void Archetype::release_block() noexcept {
 
 void Archetype::reserve_versions(std::uint32_t capacity) {
     const std::size_t chunks = (std::size_t{capacity} + k_chunk_rows - 1) / k_chunk_rows;
-    if (versions_.size() < chunks * version_stride()) versions_.resize(chunks * version_stride());
+    if (versions_.size() < chunks * version_stride())
+        versions_.resize(chunks * version_stride(), storage_.oldest_version);
 }
 
 template <class NextBase>

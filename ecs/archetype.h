@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,6 +10,7 @@
 #include "ecs/component.h"
 #include "ecs/memory.h"
 #include "ecs/relocate.h"
+#include "ecs/version.h"
 
 namespace rambla::ecs {
 
@@ -28,6 +30,8 @@ inline constexpr ColumnIndex k_tag_column = 0xfffe;  ///< it has it, but tags ta
 struct ArchetypeStorage {
     BlockPool pool;
     std::uint32_t max_rows = 0;
+    /// No version is older; what was never written has it. Keeps distances below 2³¹.
+    std::uint32_t oldest_version = 0;
     bool reserves = true;  ///< grow in place above k_pooled_rows; else in blocks, whose rows then move
 };
 
@@ -85,12 +89,13 @@ public:
     void reserve_one() {
         if (rows_ == capacity_) grow();
     }
-    /// Appends a row whose components are raw memory that the caller fills at once; reserve_one() came
-    /// before.
+    /// Appends a row whose components are raw memory that the caller fills at once (but EnableStates, which
+    /// are zero); reserve_one() came before.
     std::uint32_t push(Entity entity, std::uint32_t version) noexcept {
         const std::uint32_t row = rows_++;
         entities_[row] = entity;
         stamp_rows(row, version);
+        if (has_companions_) clear_companions(row);
         return row;
     }
     /// Ends a row's components and closes the gap. Returns the entity that took over the row, null if it was
@@ -114,10 +119,25 @@ public:
     }
 
     /// Version at which a chunk's column was last written, rows coming and going included.
-    [[nodiscard]] std::uint32_t version(ColumnIndex column, std::uint32_t chunk) const;
+    [[nodiscard]] std::uint32_t version(ColumnIndex column, std::uint32_t chunk) const {
+        const std::uint32_t* versions = versions_.data() + chunk * version_stride();
+        return later(versions[0], versions[1u + column]);
+    }
+    /// The latest of these over all chunks.
+    [[nodiscard]] std::uint32_t version(ColumnIndex column) const {
+        return later(rows_version_, latest_[column]);
+    }
+    /// Marks a chunk's column as written. Several threads may stamp different chunks of one column with the
+    /// same version.
     void stamp(ColumnIndex column, std::uint32_t chunk, std::uint32_t version) noexcept {
         versions_[chunk * version_stride() + 1u + column] = version;
+        std::atomic_ref<std::uint32_t> latest{latest_[column]};
+        // Writing only what is new keeps the line shared among the threads of one system.
+        if (latest.load(std::memory_order_relaxed) != version)
+            latest.store(version, std::memory_order_relaxed);
     }
+    /// Raises all versions older than `oldest` to it.
+    void age_versions(std::uint32_t oldest) noexcept;
 
     /// Memory of its own: committed columns and tables; blocks of the pool are counted by the pool.
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -138,9 +158,13 @@ private:
     [[nodiscard]] std::size_t row_bytes(std::size_t column) const;
     [[nodiscard]] std::size_t block_bytes(std::uint32_t capacity) const;
     [[nodiscard]] std::size_t version_stride() const { return version_stride_; }
+    /// Marks the row's chunk as one whose rows came or went.
     void stamp_rows(std::uint32_t row, std::uint32_t version) noexcept {
         versions_[row / k_chunk_rows * version_stride()] = version;
+        rows_version_ = version;
     }
+    /// EnableStates are zero in a new row.
+    void clear_companions(std::uint32_t row) noexcept;
 
     ArchetypeStorage& storage_;
     std::uint32_t index_;
@@ -151,10 +175,13 @@ private:
     std::vector<ColumnIndex> column_of_;  ///< by component number
     std::vector<ComponentId> signature_;
     std::uint32_t version_stride_ = 1;      ///< columns and one
+    std::uint32_t rows_version_;            ///< latest of rows coming and going
     bool ends_quietly_ = true;              ///< no component has a destructor to call
+    bool has_companions_ = false;           ///< some column holds EnableStates
     std::byte* block_ = nullptr;            ///< all columns, while they share a block
     std::vector<ReservedMemory> reserved_;  ///< entities, then the columns, once each has its own
     std::vector<std::uint32_t> versions_;   ///< per chunk: rows coming and going, then one per column
+    std::vector<std::uint32_t> latest_;     ///< per column, of versions_ over all chunks
 };
 
 }  // namespace rambla::ecs

@@ -34,7 +34,8 @@ void reserve_one(std::vector<T>& vector) {
 
 }  // namespace
 
-ArchetypeGraph::ArchetypeGraph(std::uint32_t max_rows, bool reserves) {
+ArchetypeGraph::ArchetypeGraph(std::uint32_t max_rows, bool reserves, std::uint32_t oldest_version) {
+    storage_.oldest_version = oldest_version;
     storage_.max_rows = usable_max_rows(max_rows);
     storage_.reserves = reserves && ReservedMemory::grows_in_place;
     make({});
@@ -43,6 +44,10 @@ ArchetypeGraph::ArchetypeGraph(std::uint32_t max_rows, bool reserves) {
 ComponentId ArchetypeGraph::component(const ComponentInfo& info) {
     const ComponentId known = find_component(info.type_index);
     if (known != k_no_component) return known;
+    if (info.companion != nullptr) {
+        component(*info.companion);
+        has_companions_ = true;
+    }
     if (infos_.size() == k_max_components) detail::throw_full("kinds of components", k_max_components);
     if (ids_.size() <= info.type_index) ids_.resize(info.type_index + std::size_t{1}, k_no_component);
     infos_.push_back(&info);
@@ -51,8 +56,21 @@ ComponentId ArchetypeGraph::component(const ComponentInfo& info) {
 
 Archetype& ArchetypeGraph::with_signature(std::span<ComponentId> signature) {
     std::sort(signature.begin(), signature.end());
-    Archetype* found = find(signature);
-    return found != nullptr ? *found : make(signature);
+    const std::span<const ComponentId> whole = has_companions_ ? with_companions(signature) : signature;
+    Archetype* found = find(whole);
+    return found != nullptr ? *found : make(whole);
+}
+
+std::span<const ComponentId> ArchetypeGraph::with_companions(std::span<const ComponentId> signature) {
+    completed_.clear();
+    for (ComponentId component : signature) {
+        const ComponentInfo& info = *infos_[component];
+        if (info.is_companion) continue;
+        completed_.push_back(component);
+        if (info.companion != nullptr) completed_.push_back(find_component(info.companion->type_index));
+    }
+    std::sort(completed_.begin(), completed_.end());
+    return completed_;
 }
 
 Archetype& ArchetypeGraph::toggled(Archetype& from, ComponentId component) {
@@ -82,12 +100,21 @@ Archetype& ArchetypeGraph::toggled(Archetype& from, ComponentId component) {
     return to;
 }
 
+void ArchetypeGraph::age_versions(std::uint32_t oldest) noexcept {
+    storage_.oldest_version = oldest;
+    for (const auto& archetype : archetypes_)
+        archetype->age_versions(oldest);
+    for (const auto& set : sparse_.all())
+        set->age_versions(oldest);
+}
+
 std::size_t ArchetypeGraph::memory_bytes() const {
     constexpr std::size_t k_map_node_bytes =
         sizeof(std::pair<std::uint64_t, std::uint32_t>) + 2 * sizeof(void*);
     std::size_t bytes =
-        storage_.pool.memory_bytes() + infos_.capacity() * sizeof(const ComponentInfo*) +
-        ids_.capacity() * sizeof(ComponentId) + archetypes_.capacity() * sizeof(std::unique_ptr<Archetype>) +
+        storage_.pool.memory_bytes() + sparse_.memory_bytes() +
+        infos_.capacity() * sizeof(const ComponentInfo*) + ids_.capacity() * sizeof(ComponentId) +
+        archetypes_.capacity() * sizeof(std::unique_ptr<Archetype>) +
         edges_.capacity() * sizeof(std::vector<Edge>) + by_signature_.bucket_count() * sizeof(void*) +
         by_signature_.size() * k_map_node_bytes;
     for (const auto& archetype : archetypes_)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ecs/archetype.h"
+#include "ecs/sparse_set.h"
 
 namespace rambla::ecs {
 
@@ -15,7 +16,8 @@ namespace rambla::ecs {
 /// the archetype with one component more or less.
 class ArchetypeGraph {
 public:
-    ArchetypeGraph(std::uint32_t max_rows, bool reserves);
+    /// @param oldest_version  what was never written has it
+    ArchetypeGraph(std::uint32_t max_rows, bool reserves, std::uint32_t oldest_version);
 
     /// Number of a component; the first call gives it one. Throws CapacityExceeded after 65 533 components.
     ComponentId component(const ComponentInfo& info);
@@ -24,13 +26,27 @@ public:
         return type_index < ids_.size() ? ids_[type_index] : k_no_component;
     }
 
-    /// The archetype with exactly these components. Sorts `signature`, which must hold no doubles.
+    /// What the component with this number is.
+    [[nodiscard]] const ComponentInfo& info(ComponentId component) const { return *infos_[component]; }
+    [[nodiscard]] std::size_t component_count() const { return infos_.size(); }
+
+    /// The archetype with exactly these components, none of them sparse. Sorts `signature`, which must hold
+    /// no doubles. EnableStates come and go with their components, whether they are listed or not.
     Archetype& with_signature(std::span<ComponentId> signature);
     /// The archetype that has `component` too if `from` lacks it, or that lacks it if `from` has it.
     Archetype& toggled(Archetype& from, ComponentId component);
 
+    /// The set of a sparse component.
+    SparseSet& sparse_set(const ComponentInfo& info) {
+        return sparse_.get_or_make(component(info), storage_.pool, info);
+    }
+    [[nodiscard]] const SparseSets& sparse() const { return sparse_; }
+    [[nodiscard]] SparseSets& sparse() { return sparse_; }
+
     [[nodiscard]] std::size_t size() const { return archetypes_.size(); }
     [[nodiscard]] Archetype& operator[](std::size_t index) const { return *archetypes_[index]; }
+    /// Raises all change versions older than `oldest` to it.
+    void age_versions(std::uint32_t oldest) noexcept;
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
@@ -39,12 +55,17 @@ private:
         std::uint32_t archetype;
     };
 
+    /// The signature with the EnableStates that belong to it; lives until the next call.
+    std::span<const ComponentId> with_companions(std::span<const ComponentId> signature);
     Archetype* find(std::span<const ComponentId> signature) const;
     Archetype& make(std::span<const ComponentId> signature);
 
     ArchetypeStorage storage_;
+    SparseSets sparse_;
     std::vector<const ComponentInfo*> infos_;  ///< by component number
     std::vector<ComponentId> ids_;             ///< by type index
+    std::vector<ComponentId> completed_;       ///< what with_companions() returned
+    bool has_companions_ = false;              ///< some component has an EnableState
     std::vector<std::unique_ptr<Archetype>> archetypes_;
     std::vector<std::vector<Edge>> edges_;  ///< by archetype, ascending component numbers
     std::unordered_multimap<std::uint64_t, std::uint32_t> by_signature_;

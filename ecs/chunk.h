@@ -4,43 +4,62 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <span>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
-#include "ecs/archetype.h"
+#include "ecs/archetype_graph.h"
+#include "ecs/row_mask.h"
 #include "ecs/terms.h"
+#include "ecs/version.h"
 
 namespace rambla::ecs {
 
-/// At most 1024 neighbouring rows of one archetype: what a query hands out, one span per term. Spans begin at
+namespace detail {
+
+/// What all chunks of one walk share.
+struct Walk {
+    const ArchetypeGraph* graph;
+    std::uint32_t version;  ///< of writes
+    Since since{};          ///< for Changed terms
+};
+
+}  // namespace detail
+
+/// At most 1024 neighbouring rows of one archetype: what a query hands out, one part per term. Spans begin at
 /// multiples of 64 bytes and may be read (not written) up to the next multiple of 16 rows.
 ///     for (auto [entities, positions, velocities] : query.chunks(world)) …
 template <class... Terms>
 class Chunk {
 public:
     using Columns = std::array<ColumnIndex, sizeof...(Terms)>;
+    /// What get<I>() returns.
+    template <std::size_t I>
+    using View = decltype(std::tuple_element_t<I, std::tuple<detail::Term<Terms>...>>::view(
+        std::declval<typename std::tuple_element_t<I, std::tuple<detail::Term<Terms>...>>::Cursor>(),
+        std::size_t{}));
 
-    /// Columns written to are stamped with `version`.
-    Chunk(Archetype& archetype, const Columns& columns, std::uint32_t chunk, std::uint32_t version)
+    /// Columns handed out for writing are stamped with the walk's version.
+    Chunk(const detail::Walk& walk, Archetype& archetype, const Columns& columns, std::uint32_t chunk)
         : archetype_{&archetype},
           columns_{&columns},
           chunk_{chunk},
           size_{std::min(archetype.rows() - chunk * k_chunk_rows, k_chunk_rows)},
-          first_{first_of(archetype, columns, chunk)} {
-        stamp(version, std::index_sequence_for<Terms...>{});
+          cursors_{cursors_of(walk, archetype, columns, chunk, std::index_sequence_for<Terms...>{})} {
+        stamp(walk.version, std::index_sequence_for<Terms...>{});
     }
 
     /// Rows, 1 to 1024.
     [[nodiscard]] std::size_t size() const { return size_; }
+    /// All of them.
+    [[nodiscard]] RowMask rows() const { return RowMask::first(size_); }
 
-    /// Span of the I-th term that hands something out; empty for an Optional that is not there.
+    /// What the I-th term that hands something out gives: the span of a column, empty for an Optional that is
+    /// not there; the SparseView of a sparse component; the value of a Shared one.
     template <std::size_t I>
-    [[nodiscard]] auto get() const {
-        auto* first = std::get<I>(first_);
-        return std::span{first, first == nullptr ? std::size_t{0} : size()};
+    [[nodiscard]] View<I> get() const {
+        return std::tuple_element_t<I, std::tuple<detail::Term<Terms>...>>::view(std::get<I>(cursors_),
+                                                                                 size());
     }
 
     /// Version of the last write to this chunk's column of C, one of the terms, or of rows coming and going,
@@ -55,74 +74,94 @@ public:
     /// Whether C was written after `seen`, a World::version().
     template <class C>
     [[nodiscard]] bool changed_since(std::uint32_t seen) const {
-        return static_cast<std::int32_t>(version<C>() - seen) > 0;
+        const ColumnIndex column = (*columns_)[term_of<C>()];
+        return column != k_no_column && is_after(archetype_->version(column, chunk_), seen);
     }
 
     /// Calls f once per row: Entity by value, components by reference, Optional ones by pointer.
     template <class F>
     void each(F&& f) const {
-        each(f, std::index_sequence_for<Terms...>{});
+        const Cursors cursors = cursors_;
+        const std::size_t rows = size_;
+        for (std::size_t row = 0; row < rows; ++row)
+            call(f, cursors, row, std::index_sequence_for<Terms...>{});
     }
 
-private:
-    using Firsts = std::tuple<typename detail::Term<Terms>::Element*...>;
+protected:
+    using Cursors = std::tuple<typename detail::Term<Terms>::Cursor...>;
 
+    template <class F, std::size_t... I>
+    static void call(F& f, [[maybe_unused]] const Cursors& cursors, [[maybe_unused]] std::size_t row,
+                     std::index_sequence<I...>) {
+        f(detail::Term<Terms>::argument(std::get<I>(cursors), row)...);
+    }
+    [[nodiscard]] const Cursors& cursors() const { return cursors_; }
+
+private:
     template <class C>
     static constexpr std::size_t term_of() {
-        constexpr std::array<bool, sizeof...(Terms)> same{
-            std::is_same_v<typename detail::Term<Terms>::Part, std::remove_const_t<C>>...};
         static_assert((std::is_same_v<typename detail::Term<Terms>::Part, std::remove_const_t<C>> || ...),
                       "not a term of this query that hands something out");
+        static_assert(storage_of<std::remove_const_t<C>> == Storage::column,
+                      "only columns have a version per chunk");
+        constexpr std::array<bool, sizeof...(Terms)> same{
+            std::is_same_v<typename detail::Term<Terms>::Part, std::remove_const_t<C>>...};
         std::size_t i = 0;
         while (!same[i])
             ++i;
         return i;
     }
 
-    template <class T>
-    static typename detail::Term<T>::Element* first_row(Archetype& archetype, ColumnIndex column,
-                                                        std::uint32_t chunk) {
-        using Element = typename detail::Term<T>::Element;
-        const std::size_t row = std::size_t{chunk} * k_chunk_rows;
-        if constexpr (std::is_same_v<Element, const Entity>) {
-            return archetype.entities() + row;
-        } else {
-            if (detail::Term<T>::need == detail::Need::optional && column == k_no_column) return nullptr;
-            return reinterpret_cast<Element*>(archetype.columns()[column].base) + row;
-        }
-    }
-
-    static Firsts first_of(Archetype& archetype, const Columns& columns, std::uint32_t chunk) {
-        return first_of(archetype, columns, chunk, std::index_sequence_for<Terms...>{});
-    }
     template <std::size_t... I>
-    static Firsts first_of([[maybe_unused]] Archetype& archetype, [[maybe_unused]] const Columns& columns,
-                           [[maybe_unused]] std::uint32_t chunk, std::index_sequence<I...>) {
-        return {first_row<Terms>(archetype, columns[I], chunk)...};
+    static Cursors cursors_of([[maybe_unused]] const detail::Walk& walk,
+                              [[maybe_unused]] Archetype& archetype, [[maybe_unused]] const Columns& columns,
+                              [[maybe_unused]] std::uint32_t chunk, std::index_sequence<I...>) {
+        return Cursors{
+            detail::Term<Terms>::cursor({*walk.graph, archetype, columns[I], chunk, walk.version})...};
     }
 
     template <std::size_t... I>
     void stamp([[maybe_unused]] std::uint32_t version, std::index_sequence<I...>) {
-        [[maybe_unused]] const auto one = [&](bool writes, ColumnIndex column) {
-            if (writes && column != k_no_column) archetype_->stamp(column, chunk_, version);
+        [[maybe_unused]] const auto one = [&](bool stamps, ColumnIndex column) {
+            if (stamps && column != k_no_column) archetype_->stamp(column, chunk_, version);
         };
-        (one(detail::Term<Terms>::writes, (*columns_)[I]), ...);
-    }
-
-    template <class F, std::size_t... I>
-    void each(F& f, std::index_sequence<I...>) const {
-        [[maybe_unused]] const Firsts first = first_;
-        const std::size_t rows = size_;
-        for (std::size_t row = 0; row < rows; ++row) {
-            f(detail::Term<Terms>::argument(std::get<I>(first), row)...);
-        }
+        (one(detail::Term<Terms>::stamps, (*columns_)[I]), ...);
     }
 
     Archetype* archetype_;
     const Columns* columns_;
     std::uint32_t chunk_;
     std::uint32_t size_;
-    Firsts first_;
+    Cursors cursors_;
+};
+
+/// A chunk of a query that tells rows apart (sparse components, Enabled, Disabled): parts are as long as the
+/// chunk, but only the rows in rows() match.
+///     for (const auto& chunk : query.chunks(world)) {
+///         auto [positions, burning] = chunk;
+///         for (std::size_t row : chunk.rows()) positions[row].y += burning[row].heat;
+///     }
+template <class... Terms>
+class FilteredChunk : public Chunk<Terms...> {
+public:
+    FilteredChunk(const detail::Walk& walk, Archetype& archetype,
+                  const typename Chunk<Terms...>::Columns& columns, std::uint32_t chunk, const RowMask& rows)
+        : Chunk<Terms...>{walk, archetype, columns, chunk}, rows_{rows} {}
+
+    /// The rows that match, at least one.
+    [[nodiscard]] const RowMask& rows() const { return rows_; }
+
+    /// Calls f once per row that matches, as Chunk::each().
+    template <class F>
+    void each(F&& f) const {
+        const auto cursors = this->cursors();
+        rows_.for_each([&](std::size_t row) {
+            Chunk<Terms...>::call(f, cursors, row, std::index_sequence_for<Terms...>{});
+        });
+    }
+
+private:
+    RowMask rows_;
 };
 
 }  // namespace rambla::ecs
@@ -130,9 +169,14 @@ private:
 template <class... Terms>
 struct std::tuple_size<rambla::ecs::Chunk<Terms...>> : std::integral_constant<std::size_t, sizeof...(Terms)> {
 };
+template <class... Terms>
+struct std::tuple_size<rambla::ecs::FilteredChunk<Terms...>>
+    : std::integral_constant<std::size_t, sizeof...(Terms)> {};
 
 template <std::size_t I, class... Terms>
 struct std::tuple_element<I, rambla::ecs::Chunk<Terms...>> {
-    using type = std::span<std::remove_pointer_t<
-        std::tuple_element_t<I, std::tuple<typename rambla::ecs::detail::Term<Terms>::Element*...>>>>;
+    using type = std::remove_reference_t<typename rambla::ecs::Chunk<Terms...>::template View<I>>;
 };
+template <std::size_t I, class... Terms>
+struct std::tuple_element<I, rambla::ecs::FilteredChunk<Terms...>>
+    : std::tuple_element<I, rambla::ecs::Chunk<Terms...>> {};

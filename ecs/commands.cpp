@@ -62,8 +62,7 @@ bool Commands::play(World& world, const Command& command) {
         }
         case Kind::remove: {
             const ComponentInfo& info = *command.values->info;
-            if (!world.graph_[record->archetype].has(world.graph_.find_component(info.type_index)))
-                return false;
+            if (!world.holds(entity, *record, info)) return false;
             world.take_away(entity, info);
             return true;
         }
@@ -76,7 +75,8 @@ bool Commands::play(World& world, const Command& command) {
 void Commands::play_create(World& world, const Command& command) {
     signature_.clear();
     for (std::size_t i = 0; i < command.value_count; ++i) {
-        signature_.push_back(world.graph_.component(*command.values[i].info));
+        const ComponentInfo& info = *command.values[i].info;
+        if (info.storage != Storage::sparse) signature_.push_back(world.graph_.component(info));
     }
     Archetype& archetype = world.graph_.with_signature(signature_);
     const World::Created created = world.create_in(archetype);
@@ -84,6 +84,10 @@ void Commands::play_create(World& world, const Command& command) {
     resolve_values(command);
     for (std::size_t i = 0; i < command.value_count; ++i) {
         const Value& value = command.values[i];
+        if (value.info->storage == Storage::sparse) {
+            relocate(value, world.sparse_slot_for(created.entity, *value.info));
+            continue;
+        }
         if (value.bytes == nullptr) continue;
         const ColumnIndex column = archetype.column_of(world.graph_.find_component(value.info->type_index));
         relocate(value, archetype.columns()[column].at(created.row));

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "ecs/component_options.h"
 #include "ecs/entity.h"
 
 namespace rambla::ecs {
@@ -39,6 +40,13 @@ concept Component = std::is_object_v<C> && !std::is_array_v<C> && std::same_as<C
 /// them.
 template <class C>
 inline constexpr bool is_tag = std::is_empty_v<C>;
+
+/// Whether rows of a component with an enable bit are switched off: one byte per row, in a column beside the
+/// component's own, so that it moves as any other column does. Follows the component into every archetype.
+template <class C>
+struct EnableState {
+    std::uint8_t disabled = 0;  ///< 0 or 1
+};
 
 /// Number of a component inside one world, in the order in which the world met them.
 using ComponentId = std::uint16_t;
@@ -86,9 +94,19 @@ struct ComponentInfo {
     /// Moves `count` objects to raw memory that does not overlap and ends the sources; null: copy the bytes.
     void (*relocate)(void* to, void* from, std::size_t count) noexcept = nullptr;
     void (*destroy)(void* first, std::size_t count) noexcept = nullptr;  ///< null: nothing to do
+    Storage storage = Storage::column;
+    bool row_mask = false;
+    /// Its EnableState, which is in an archetype exactly if the component is; null without an enable bit.
+    const ComponentInfo* companion = nullptr;
+    bool is_companion = false;  ///< an EnableState: new rows begin as zero, not as raw memory
 };
 
 namespace detail {
+
+template <class C>
+inline constexpr bool k_is_enable_state = false;
+template <class C>
+inline constexpr bool k_is_enable_state<EnableState<C>> = true;
 
 template <class C>
 void relocate(void* to, void* from, std::size_t count) noexcept {
@@ -108,14 +126,36 @@ void destroy(void* first, std::size_t count) noexcept {
 }  // namespace detail
 
 template <Component C>
+const ComponentInfo& component_info();
+
+namespace detail {
+
+template <class C>
+const ComponentInfo* companion_of() {
+    if constexpr (has_enable_bit<C>) return &component_info<EnableState<C>>();
+    return nullptr;
+}
+
+}  // namespace detail
+
+template <Component C>
 const ComponentInfo& component_info() {
+    static_assert(storage_of<C> == Storage::column || !(has_enable_bit<C> || has_row_mask<C>),
+                  "only columns have enable bits and row masks");
+    static_assert(!is_tag<C> || !(has_enable_bit<C> || has_row_mask<C>),
+                  "a tag has no column that could have an enable bit or a row mask");
+    static_assert(!is_tag<C> || storage_of<C> != Storage::shared, "a tag has no value to share");
     static const ComponentInfo info{
         .name = type_name<C>(),
         .type_index = type_index<C>(),
         .size = is_tag<C> ? 0u : static_cast<std::uint32_t>(sizeof(C)),
         .alignment = static_cast<std::uint32_t>(alignof(C)),
         .relocate = is_relocatable<C>::value ? nullptr : &detail::relocate<C>,
-        .destroy = std::is_trivially_destructible_v<C> ? nullptr : &detail::destroy<C>};
+        .destroy = std::is_trivially_destructible_v<C> ? nullptr : &detail::destroy<C>,
+        .storage = storage_of<C>,
+        .row_mask = has_row_mask<C>,
+        .companion = detail::companion_of<C>(),
+        .is_companion = detail::k_is_enable_state<C>};
     return info;
 }
 

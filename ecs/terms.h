@@ -1,88 +1,156 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <tuple>
 #include <type_traits>
 
+#include "ecs/archetype_graph.h"
 #include "ecs/component.h"
+#include "ecs/sparse_view.h"
 
 namespace rambla::ecs {
 
-/// Query term: the component's column where there is one, an empty span (each(): a null pointer) where not.
+/// Query term: the component where there is one, an empty span (each(): a null pointer) where not.
 /// Optional<const C> only reads.
 template <class C>
 struct Optional {};
-
-/// Query filter: only entities that have C; hands nothing out. Works for tags.
-template <class C>
-struct With {};
-
-/// Query filter: only entities that lack C; hands nothing out.
-template <class C>
-struct Without {};
 
 namespace detail {
 
 enum class Need { always, required, optional, excluded };
 
-/// A required component, const C or C.
+/// Where a chunk of a query lies.
+struct ChunkPlace {
+    const ArchetypeGraph& graph;
+    Archetype& archetype;
+    ColumnIndex column;  ///< of the term in question
+    std::uint32_t chunk;
+    std::uint32_t version;  ///< of writes
+
+    [[nodiscard]] std::size_t first_row() const { return std::size_t{chunk} * k_chunk_rows; }
+};
+
+/// Where the archetype has C, k_no_column if it lacks it. Sparse components are in no archetype.
+template <class C>
+ColumnIndex column_in(const ArchetypeGraph& graph, const Archetype& archetype) {
+    return archetype.column_of(graph.find_component(type_index<C>()));
+}
+
+/// Null while no entity ever had C.
+template <class C>
+SparseSet* sparse_set_of(const ArchetypeGraph& graph) {
+    return graph.sparse().find(graph.find_component(type_index<C>()));
+}
+
+/// What all terms have in common; each states what differs:
+///     Part               the component it names; a query names each once
+///     need, Column       what an archetype must have; Column is missing if it need have nothing
+///     handed_out         has a part in Chunk::get() and each(), by way of Cursor, cursor(), view(),
+///     argument() writes             hands it out for writing stamps             handing out a chunk counts
+///     as writing its column filters_rows       narrows down a chunk's rows: filter() filters_chunks passes
+///     archetypes and chunks by: admits()
+struct TermDefaults {
+    static constexpr Need need = Need::always;
+    static constexpr bool handed_out = false;
+    static constexpr bool writes = false;
+    static constexpr bool stamps = false;
+    static constexpr bool filters_rows = false;
+    static constexpr bool filters_chunks = false;
+};
+
+/// A component in a column, const C or C.
 template <class T>
-struct Term {
-    static_assert(Component<std::remove_const_t<T>>,
-                  "a term is Entity, a component, Optional, With or Without");
-    static_assert(!is_tag<std::remove_const_t<T>>, "a tag has no column: use With or Without");
+struct ColumnTerm : TermDefaults {
     using Part = std::remove_const_t<T>;
-    using Element = T;
-    using Argument = T&;
+    using Column = Part;
+    using Cursor = T*;
     static constexpr Need need = Need::required;
     static constexpr bool handed_out = true;
     static constexpr bool writes = !std::is_const_v<T>;
-    static Argument argument(T* column, std::size_t row) { return column[row]; }
+    static constexpr bool stamps = writes;
+
+    static Cursor cursor(const ChunkPlace& place) {
+        return reinterpret_cast<T*>(place.archetype.columns()[place.column].base) + place.first_row();
+    }
+    static std::span<T> view(Cursor first, std::size_t rows) { return {first, rows}; }
+    static T& argument(Cursor first, std::size_t row) { return first[row]; }
+};
+
+/// A component in a sparse set, const C or C: rows whose entity has none are filtered out.
+template <class T>
+struct SparseTerm : TermDefaults {
+    using Part = std::remove_const_t<T>;
+    using Cursor = SparseView<T>;
+    static constexpr bool handed_out = true;
+    static constexpr bool writes = !std::is_const_v<T>;
+    static constexpr bool filters_rows = true;
+
+    static Cursor cursor(const ChunkPlace& place) {
+        return {sparse_set_of<Part>(place.graph), place.archetype.entities() + place.first_row(),
+                place.version};
+    }
+    static Cursor view(Cursor cursor, std::size_t) { return cursor; }
+    static T& argument(const Cursor& cursor, std::size_t row) { return cursor[row]; }
+    static void filter(const ChunkPlace& place, RowMask& rows) {
+        keep_those_in(sparse_set_of<Part>(place.graph), place.archetype.entities() + place.first_row(), rows);
+    }
+};
+
+/// A required component, const C or C, as its storage has it.
+template <class T>
+struct Term : std::conditional_t<storage_of<std::remove_const_t<T>> == Storage::sparse, SparseTerm<T>,
+                                 ColumnTerm<T>> {
+    static_assert(Component<std::remove_const_t<T>>,
+                  "a term is Entity, a component or one of the terms in terms.h and filters.h");
+    static_assert(!is_tag<std::remove_const_t<T>>, "a tag has no column: use With or Without");
+    static_assert(storage_of<std::remove_const_t<T>> != Storage::shared,
+                  "all rows share one value: use Shared<C>");
 };
 
 template <>
-struct Term<Entity> {
+struct Term<Entity> : TermDefaults {
     using Part = Entity;
-    using Element = const Entity;
-    using Argument = Entity;
-    static constexpr Need need = Need::always;
+    using Cursor = const Entity*;
     static constexpr bool handed_out = true;
-    static constexpr bool writes = false;
-    static Argument argument(const Entity* column, std::size_t row) { return column[row]; }
+
+    static Cursor cursor(const ChunkPlace& place) { return place.archetype.entities() + place.first_row(); }
+    static std::span<const Entity> view(Cursor first, std::size_t rows) { return {first, rows}; }
+    static Entity argument(Cursor first, std::size_t row) { return first[row]; }
 };
 
 template <>
 struct Term<const Entity> : Term<Entity> {};
 
 template <class T>
-struct Term<Optional<T>> {
-    static_assert(Component<std::remove_const_t<T>> && !is_tag<std::remove_const_t<T>>,
-                  "Optional takes a component with a value");
-    using Part = std::remove_const_t<T>;
-    using Element = T;
-    using Argument = T*;
+struct OptionalColumnTerm : ColumnTerm<T> {
+    using typename ColumnTerm<T>::Cursor;
     static constexpr Need need = Need::optional;
-    static constexpr bool handed_out = true;
-    static constexpr bool writes = !std::is_const_v<T>;
-    static Argument argument(T* column, std::size_t row) {
-        return column == nullptr ? nullptr : column + row;
+
+    static Cursor cursor(const ChunkPlace& place) {
+        return place.column == k_no_column ? nullptr : ColumnTerm<T>::cursor(place);
     }
+    static std::span<T> view(Cursor first, std::size_t rows) {
+        return {first, first == nullptr ? std::size_t{0} : rows};
+    }
+    static T* argument(Cursor first, std::size_t row) { return first == nullptr ? nullptr : first + row; }
 };
 
-template <class C>
-struct Term<With<C>> {
-    using Part = std::remove_const_t<C>;
-    static constexpr Need need = Need::required;
-    static constexpr bool handed_out = false;
-    static constexpr bool writes = false;
+template <class T>
+struct OptionalSparseTerm : SparseTerm<T> {
+    using typename SparseTerm<T>::Cursor;
+    static constexpr bool filters_rows = false;
+
+    static T* argument(const Cursor& cursor, std::size_t row) { return cursor.find(row); }
 };
 
-template <class C>
-struct Term<Without<C>> {
-    using Part = std::remove_const_t<C>;
-    static constexpr Need need = Need::excluded;
-    static constexpr bool handed_out = false;
-    static constexpr bool writes = false;
+template <class T>
+struct Term<Optional<T>> : std::conditional_t<storage_of<std::remove_const_t<T>> == Storage::sparse,
+                                              OptionalSparseTerm<T>, OptionalColumnTerm<T>> {
+    static_assert(Component<std::remove_const_t<T>> && !is_tag<std::remove_const_t<T>> &&
+                      storage_of<std::remove_const_t<T>> != Storage::shared,
+                  "Optional takes a component with a value of its own");
 };
 
 /// The terms that hand something out, in their order, as the parameters of `Target`.

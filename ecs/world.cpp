@@ -14,8 +14,9 @@ std::uint64_t next_serial() {
 
 World::World(const WorldOptions& options)
     : entities_{options.max_entities},
-      graph_{options.max_rows_per_archetype, options.reserve_address_space},
-      serial_{next_serial()} {}
+      graph_{options.max_rows_per_archetype, options.reserve_address_space, options.first_version - 1},
+      serial_{next_serial()},
+      version_{options.first_version} {}
 
 World::~World() = default;
 
@@ -26,6 +27,7 @@ void World::destroy(Entity entity) {
     const std::uint32_t row = record->row;
     const Entity moved = graph_[record->archetype].erase(row, version_);
     if (moved != Entity{}) entities_[moved.index].row = row;
+    graph_.sparse().erase_all(entity, version_);
     entities_.give_back(entity.index);
 }
 
@@ -33,6 +35,8 @@ void* World::slot_for(Entity entity, const ComponentInfo& info) {
     detail::IterationMark::forbid(*this, "add");
     EntityRecord* record = entities_.find(entity);
     if (record == nullptr) detail::throw_not_alive("add", info.name, entity);
+    if (info.storage == Storage::sparse) return sparse_slot_for(entity, info);
+    if (info.is_companion) detail::throw_missing("add", info.name, entity);
     const ComponentId component = graph_.component(info);
     Archetype& from = graph_[record->archetype];
     if (!from.has(component)) {
@@ -47,14 +51,40 @@ void* World::slot_for(Entity entity, const ComponentInfo& info) {
     return slot;
 }
 
+void* World::sparse_slot_for(Entity entity, const ComponentInfo& info) {
+    SparseSet& set = graph_.sparse_set(info);
+    std::uint32_t place = set.find(entity);
+    if (place == SparseSet::k_none) return set.value(set.insert(entity, version_));
+    if (info.destroy != nullptr) info.destroy(set.value(place), 1);
+    set.stamp(place, version_);
+    return set.value(place);
+}
+
 void World::take_away(Entity entity, const ComponentInfo& info) {
     detail::IterationMark::forbid(*this, "remove");
     EntityRecord* record = entities_.find(entity);
     if (record == nullptr) detail::throw_not_alive("remove", info.name, entity);
+    if (info.storage == Storage::sparse) {
+        SparseSet* set = graph_.sparse().find(graph_.find_component(info.type_index));
+        const std::uint32_t place = set == nullptr ? SparseSet::k_none : set->find(entity);
+        if (place == SparseSet::k_none) detail::throw_missing("remove", info.name, entity);
+        return set->erase(place, version_);
+    }
     const ComponentId component = graph_.find_component(info.type_index);
     Archetype& from = graph_[record->archetype];
-    if (!from.has(component)) detail::throw_missing("remove", info.name, entity);
+    if (info.is_companion || !from.has(component)) detail::throw_missing("remove", info.name, entity);
     move(*record, graph_.toggled(from, component));
+}
+
+bool World::holds(Entity entity, const EntityRecord& record, const ComponentInfo& info) const {
+    const ComponentId component = graph_.find_component(info.type_index);
+    if (info.storage != Storage::sparse) return graph_[record.archetype].has(component);
+    const SparseSet* set = graph_.sparse().find(component);
+    return set != nullptr && set->find(entity) != SparseSet::k_none;
+}
+
+void World::age_versions() noexcept {
+    graph_.age_versions(version_ - (1u << 30u));
 }
 
 Archetype& World::move(EntityRecord& record, Archetype& to) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -29,6 +31,8 @@ struct WorldOptions {
     std::uint32_t max_entities = 1u << 28u;
     /// Rounded up to 16; at most 2³¹. A column reserves this times its component's size.
     std::uint32_t max_rows_per_archetype = 1u << 24u;
+    /// The world's first version() of changes.
+    std::uint32_t first_version = 1;
     /// False: archetypes grow by allocating anew and moving their rows.
     bool reserve_address_space = true;
 };
@@ -64,6 +68,15 @@ public:
     template <Component C>
     [[nodiscard]] bool has(Entity entity) const;
 
+    /// Switches a component with an enable bit off or on, without moving the entity: terms Enabled and
+    /// Disabled tell the difference, nothing else. A component is enabled when it is added; replacing its
+    /// value changes nothing. No structural change, but a write. Throws Misuse on a stale handle or when the
+    /// component is not there.
+    template <Component C>
+    requires(has_enable_bit<C>) void set_enabled(Entity entity, bool enabled);
+    template <Component C>
+    requires(has_enable_bit<C>) [[nodiscard]] bool enabled(Entity entity) const;
+
     /// The component's value. Throws Misuse on a stale handle or when the component is not there.
     template <Component C>
     [[nodiscard]] const C& get(Entity entity) const;
@@ -98,8 +111,12 @@ public:
     /// What writes are stamped with: each chunk × component keeps the version of its last write.
     [[nodiscard]] std::uint32_t version() const { return version_; }
     /// Begins a new version, so that later writes can be told from earlier ones. Returns the one that ended.
-    /// Versions may wrap around after 2³²; comparisons hold for distances below 2³¹.
-    std::uint32_t advance_version() { return version_++; }
+    /// Versions wrap around after 2³². Comparisons hold for readers that look at least every 2³⁰ versions;
+    /// what was written longer ago counts as written then.
+    std::uint32_t advance_version() {
+        if (++version_ % k_aging_interval == 0) age_versions();
+        return version_ - 1;
+    }
 
     [[nodiscard]] std::size_t entity_count() const { return entities_.alive_count(); }
     /// Archetypes ever born, the empty one included.
@@ -117,6 +134,10 @@ private:
         Entity entity;
         std::uint32_t row;
     };
+    /// Every so many versions the oldest ones are raised, so that no two are further apart than 2³⁰ plus
+    /// this.
+    static constexpr std::uint32_t k_aging_interval = 1u << 29u;
+
     /// Tells apart the component lists that create() is called with.
     template <class... Cs>
     struct Bundle {};
@@ -141,10 +162,25 @@ private:
     }
     /// Where to construct the component: raw memory, null for tags. Moves the entity, or ends the old value.
     void* slot_for(Entity entity, const ComponentInfo& info);
+    void* sparse_slot_for(Entity entity, const ComponentInfo& info);
     void take_away(Entity entity, const ComponentInfo& info);
+    /// Whether a living entity has the component, whatever its storage.
+    [[nodiscard]] bool holds(Entity entity, const EntityRecord& record, const ComponentInfo& info) const;
+    void age_versions() noexcept;
     Archetype& move(EntityRecord& record, Archetype& to);
     template <class C>
     static void construct(Archetype& archetype, ColumnIndex column, std::uint32_t row, C& value) noexcept;
+    template <class C>
+    void construct_sparse(Entity entity, C& value);
+    template <class C>
+    [[nodiscard]] SparseSet* sparse_set() const {
+        return graph_.sparse().find(graph_.find_component(type_index<C>()));
+    }
+    template <class C>
+    [[nodiscard]] std::uint32_t sparse_place(Entity entity) const {
+        const SparseSet* set = sparse_set<C>();
+        return set == nullptr ? SparseSet::k_none : set->find(entity);
+    }
     template <class C>
     const EntityRecord& record_of(std::string_view operation, Entity entity) const;
     template <class C>
@@ -157,7 +193,7 @@ private:
     ArchetypeGraph graph_;
     std::vector<BundlePlace> bundles_;  ///< by type index of the Bundle
     std::uint64_t serial_;              ///< never used twice: how queries know the world they have cached
-    std::uint32_t version_ = 1;
+    std::uint32_t version_;
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -171,9 +207,15 @@ const World::BundlePlace& World::bundle_place() {
 
 template <class... Cs>
 const World::BundlePlace& World::make_bundle_place(std::uint32_t bundle) {
-    std::array<ComponentId, sizeof...(Cs)> signature{graph_.component(component_info<Cs>())...};
-    const std::array<ComponentId, sizeof...(Cs)> as_listed = signature;
-    Archetype& archetype = graph_.with_signature(signature);
+    static_assert(!(detail::k_is_enable_state<Cs> || ...), "an EnableState comes with its component");
+    const std::array<ComponentId, sizeof...(Cs)> as_listed{graph_.component(component_info<Cs>())...};
+    std::array<ComponentId, sizeof...(Cs)> signature{};
+    std::size_t next = 0;
+    const auto one = [&](ComponentId component) {
+        if (graph_.info(component).storage != Storage::sparse) signature[next++] = component;
+    };
+    std::ranges::for_each(as_listed, one);
+    Archetype& archetype = graph_.with_signature(std::span{signature}.first(next));
     if (bundles_.size() <= bundle) bundles_.resize(bundle + 1);
     bundles_[bundle].columns = std::make_unique<ColumnIndex[]>(sizeof...(Cs));
     for (std::size_t i = 0; i < as_listed.size(); ++i)
@@ -184,8 +226,16 @@ const World::BundlePlace& World::make_bundle_place(std::uint32_t bundle) {
 
 template <class C>
 void World::construct(Archetype& archetype, ColumnIndex column, std::uint32_t row, C& value) noexcept {
-    if constexpr (!is_tag<C>) {
+    if constexpr (!is_tag<C> && storage_of<C> == Storage::column) {
         std::construct_at(reinterpret_cast<C*>(archetype.columns()[column].base) + row, std::move(value));
+    }
+}
+
+template <class C>
+void World::construct_sparse(Entity entity, C& value) {
+    if constexpr (storage_of<C> == Storage::sparse) {
+        void* slot = sparse_slot_for(entity, component_info<C>());
+        if constexpr (!is_tag<C>) std::construct_at(static_cast<C*>(slot), std::move(value));
     }
 }
 
@@ -196,17 +246,27 @@ requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
     const Created created = create_in(*place.archetype);
     const ColumnIndex* column = place.columns.get();
     (construct(*place.archetype, *column++, created.row, values), ...);
+    if constexpr (((storage_of<Cs> == Storage::sparse) || ...)) {
+        try {
+            (construct_sparse(created.entity, values), ...);
+        } catch (...) {
+            destroy(created.entity);
+            throw;
+        }
+    }
     return created.entity;
 }
 
 template <Component C>
 void World::add(Entity entity, C value) {
+    static_assert(!detail::k_is_enable_state<C>, "an EnableState comes with its component");
     void* slot = slot_for(entity, component_info<C>());
     if constexpr (!is_tag<C>) std::construct_at(static_cast<C*>(slot), std::move(value));
 }
 
 template <Component C>
 void World::remove(Entity entity) {
+    static_assert(!detail::k_is_enable_state<C>, "an EnableState goes with its component");
     take_away(entity, component_info<C>());
 }
 
@@ -220,13 +280,32 @@ const EntityRecord& World::record_of(std::string_view operation, Entity entity) 
 template <Component C>
 bool World::has(Entity entity) const {
     const EntityRecord& record = record_of<C>("has", entity);
+    if constexpr (storage_of<C> == Storage::sparse) return sparse_place<C>(entity) != SparseSet::k_none;
     return graph_[record.archetype].has(graph_.find_component(type_index<C>()));
+}
+
+template <Component C>
+requires(has_enable_bit<C>) void World::set_enabled(Entity entity, bool enabled) {
+    auto* state = find_mut<EnableState<C>>("set_enabled", entity);
+    if (state == nullptr) detail::throw_missing("set_enabled", type_name<C>(), entity);
+    state->disabled = enabled ? 0 : 1;
+}
+
+template <Component C>
+requires(has_enable_bit<C>) bool World::enabled(Entity entity) const {
+    const auto* state = find<EnableState<C>>("enabled", entity);
+    if (state == nullptr) detail::throw_missing("enabled", type_name<C>(), entity);
+    return state->disabled == 0;
 }
 
 template <class C>
 const C* World::find(std::string_view operation, Entity entity) const {
     static_assert(!is_tag<C>, "a tag has no value: ask has<C>()");
     const EntityRecord& record = record_of<C>(operation, entity);
+    if constexpr (storage_of<C> == Storage::sparse) {
+        const std::uint32_t place = sparse_place<C>(entity);
+        return place == SparseSet::k_none ? nullptr : reinterpret_cast<C*>(sparse_set<C>()->value(place));
+    }
     const Archetype& archetype = graph_[record.archetype];
     const ColumnIndex column = archetype.column_of(graph_.find_component(type_index<C>()));
     if (column == k_no_column) return nullptr;
@@ -237,6 +316,12 @@ template <class C>
 C* World::find_mut(std::string_view operation, Entity entity) {
     static_assert(!is_tag<C>, "a tag has no value: ask has<C>()");
     const EntityRecord& record = record_of<C>(operation, entity);
+    if constexpr (storage_of<C> == Storage::sparse) {
+        const std::uint32_t place = sparse_place<C>(entity);
+        if (place == SparseSet::k_none) return nullptr;
+        sparse_set<C>()->stamp(place, version_);
+        return reinterpret_cast<C*>(sparse_set<C>()->value(place));
+    }
     Archetype& archetype = graph_[record.archetype];
     const ColumnIndex column = archetype.column_of(graph_.find_component(type_index<C>()));
     if (column == k_no_column) return nullptr;

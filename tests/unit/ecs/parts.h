@@ -63,6 +63,20 @@ struct Parent {
     Entity entity;
 };
 
+/// Stored sparse.
+struct Burning {
+    int heat = 0;
+};
+struct SparseAnchored : Anchored {
+    using Anchored::Anchored;
+};
+struct Selected {};  ///< a tag
+
+/// Switched on and off per row.
+struct Light {
+    float lux = 0.0f;
+};
+
 /// Many distinct components.
 template <int N>
 struct Part {
@@ -70,6 +84,23 @@ struct Part {
 };
 
 }  // namespace rambla::ecs::test
+
+template <>
+struct rambla::ecs::component_options<rambla::ecs::test::Burning> {
+    static constexpr Storage storage = Storage::sparse;
+};
+template <>
+struct rambla::ecs::component_options<rambla::ecs::test::SparseAnchored> {
+    static constexpr Storage storage = Storage::sparse;
+};
+template <>
+struct rambla::ecs::component_options<rambla::ecs::test::Selected> {
+    static constexpr Storage storage = Storage::sparse;
+};
+template <>
+struct rambla::ecs::component_options<rambla::ecs::test::Light> {
+    static constexpr bool enable_bit = true;
+};
 
 template <>
 struct rambla::ecs::is_relocatable<rambla::ecs::test::Owner> : std::true_type {};

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+namespace rambla::ecs {
+
+/// What a reader saw last: World::version() at that time. Asks a query with Changed terms for what was
+/// written after it.
+struct Since {
+    std::uint32_t version = 0;
+};
+
+/// Whether `a` came after `b`. Versions wrap around after 2³²; holds for distances below 2³¹.
+constexpr bool is_after(std::uint32_t a, std::uint32_t b) {
+    return static_cast<std::int32_t>(a - b) > 0;
+}
+
+constexpr std::uint32_t later(std::uint32_t a, std::uint32_t b) {
+    return is_after(a, b) ? a : b;
+}
+
+}  // namespace rambla::ecs
