@@ -21,6 +21,12 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// What a system of a schedule threw, nested (std::rethrow_if_nested) in an error that names the system.
+class SystemFailed : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 namespace detail {
 
 /// `operation` is the call as written, without the component: "get"; `component` may be empty.
@@ -28,6 +34,8 @@ namespace detail {
 [[noreturn]] void throw_missing(std::string_view operation, std::string_view component, Entity entity);
 [[noreturn]] void throw_no_resource(std::string_view resource);
 [[noreturn]] void throw_iterating(std::string_view operation);
+/// `thing` is what the system did without declaring it: "reads component Position".
+[[noreturn]] void throw_undeclared(std::string_view system, std::string_view thing);
 [[noreturn]] void throw_full(std::string_view what, std::uint64_t maximum);
 [[noreturn]] void throw_no_memory(std::string_view what, std::uint64_t bytes);
 

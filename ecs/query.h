@@ -12,6 +12,7 @@
 #include "ecs/chunk.h"
 #include "ecs/filters.h"
 #include "ecs/iteration.h"
+#include "ecs/term_access.h"
 #include "ecs/terms.h"
 #include "ecs/version.h"
 #include "ecs/world.h"
@@ -236,6 +237,7 @@ private:
     }
 
     void refresh(const World& world) {
+        (detail::check_term<Terms>(world), ...);
         if (world.serial_ == world_serial_ && world.graph_.size() == seen_) return;
         extend(world);
     }

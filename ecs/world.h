@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ecs/access_scope.h"
 #include "ecs/archetype_graph.h"
 #include "ecs/component.h"
 #include "ecs/entity.h"
@@ -40,8 +41,9 @@ struct WorldOptions {
 /// Entities, their components and the world's resources.
 ///
 /// References to components stay valid until the next structural change (create, destroy, add, remove,
-/// commands). Structural changes while this thread walks over a query's chunks throw Misuse; record them in
-/// Commands. A world may be read by several threads at once, or changed by one.
+/// commands). Structural changes while this thread walks over a query's chunks, or works for a system of a
+/// schedule that shares the world with others, throw Misuse; record them in Commands. A world may be read by
+/// several threads at once, or changed by one.
 class World {
 public:
     explicit World(const WorldOptions& options = {});
@@ -52,7 +54,7 @@ public:
     /// An entity without components.
     Entity create() { return create_in(empty_archetype()).entity; }
     /// An entity with these components, which lands directly in its archetype. Throws CapacityExceeded.
-    template <class... Cs>
+    template <Component... Cs>
     requires(sizeof...(Cs) > 0) Entity create(Cs... values);
     /// Ends the entity and its components. Throws Misuse on a stale handle.
     void destroy(Entity entity);
@@ -89,18 +91,21 @@ public:
     template <Component C>
     [[nodiscard]] C* try_get_mut(Entity entity);
 
-    /// Sets or replaces the world's one R.
+    /// Sets or replaces the world's one R. Throws Misuse in a system of a schedule that shares the world.
     template <class R>
     R& set_resource(R value) {
+        detail::AccessScope::require_alone(*this, "set_resource");
         return resources_.set<R>(std::move(value));
     }
     /// Throws Misuse if it was never set.
     template <class R>
     [[nodiscard]] R& resource() {
+        detail::AccessScope::check<R>(*this, AccessKind::resource, true);
         return resources_.get<R>();
     }
     template <class R>
     [[nodiscard]] const R& resource() const {
+        detail::AccessScope::check<R>(*this, AccessKind::resource, false);
         return resources_.get<R>();
     }
     template <class R>
@@ -239,9 +244,8 @@ void World::construct_sparse(Entity entity, C& value) {
     }
 }
 
-template <class... Cs>
+template <Component... Cs>
 requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
-    (detail::explain_component<Cs>(), ...);
     static_assert(detail::k_all_differ<Cs...>, "an entity has each component once");
     const BundlePlace& place = bundle_place<Cs...>();
     const Created created = create_in(*place.archetype);
@@ -302,6 +306,7 @@ requires(has_enable_bit<C>) bool World::enabled(Entity entity) const {
 template <class C>
 const C* World::find(std::string_view operation, Entity entity) const {
     static_assert(!is_tag<C>, "a tag has no value: ask has<C>()");
+    detail::AccessScope::check<C>(*this, AccessKind::component, false);
     const EntityRecord& record = record_of<C>(operation, entity);
     if constexpr (storage_of<C> == Storage::sparse) {
         const std::uint32_t place = sparse_place<C>(entity);
@@ -316,6 +321,7 @@ const C* World::find(std::string_view operation, Entity entity) const {
 template <class C>
 C* World::find_mut(std::string_view operation, Entity entity) {
     static_assert(!is_tag<C>, "a tag has no value: ask has<C>()");
+    detail::AccessScope::check<C>(*this, AccessKind::component, true);
     const EntityRecord& record = record_of<C>(operation, entity);
     if constexpr (storage_of<C> == Storage::sparse) {
         const std::uint32_t place = sparse_place<C>(entity);
