@@ -134,6 +134,7 @@ private:
     template <class... Terms>
     friend class Query;
     friend class Commands;
+    friend struct detail::WorldAccess;
 
     struct Created {
         Entity entity;
