@@ -104,12 +104,18 @@ std::size_t Archetype::memory_bytes() const {
 }
 
 void Archetype::grow() {
-    if (capacity_ >= storage_.max_rows) detail::throw_full("rows in one archetype", storage_.max_rows);
+    grow_to(std::uint64_t{rows_} + 1);
+}
+
+void Archetype::grow_to(std::uint64_t rows) {
+    if (rows > storage_.max_rows) detail::throw_full("rows in one archetype", storage_.max_rows);
     const std::uint64_t doubled = std::max(capacity_ * std::uint64_t{2}, std::uint64_t{k_row_padding});
-    if (doubled <= k_pooled_rows || !storage_.reserves) {
-        grow_block(static_cast<std::uint32_t>(std::min<std::uint64_t>(doubled, storage_.max_rows)));
+    if (std::max(rows, doubled) <= k_pooled_rows || !storage_.reserves) {
+        const std::uint64_t wanted = std::max<std::uint64_t>(round_up(rows, k_row_padding), doubled);
+        grow_block(static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, storage_.max_rows)));
     } else {  // by an eighth: growth in place is cheap, and the unused part stays small
-        const std::uint64_t wanted = round_up(std::uint64_t{capacity_} + capacity_ / 8 + 1, k_chunk_rows);
+        const std::uint64_t eighth = std::uint64_t{capacity_} + capacity_ / 8 + 1;
+        const std::uint64_t wanted = round_up(std::max(rows, eighth), k_chunk_rows);
         grow_reserved(static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, storage_.max_rows)));
     }
 }

@@ -14,10 +14,6 @@
 
 namespace rambla::ecs {
 
-namespace detail {
-struct WorldAccess;
-}
-
 /// Rows of a logical chunk: the unit of iteration, of change versions and of jobs.
 inline constexpr std::uint32_t k_chunk_rows = 1024;
 /// Capacities are multiples of this, so that SIMD may read whole vectors at a column's end.
@@ -29,6 +25,10 @@ inline constexpr std::uint32_t k_pooled_rows = 256;
 using ColumnIndex = std::uint16_t;
 inline constexpr ColumnIndex k_no_column = 0xffff;   ///< the archetype lacks the component
 inline constexpr ColumnIndex k_tag_column = 0xfffe;  ///< it has it, but tags take no column
+
+namespace detail {
+struct BulkRows;
+}
 
 /// What all archetypes of a world share.
 struct ArchetypeStorage {
@@ -67,6 +67,14 @@ public:
                 info->relocate(to, at(row), 1);
             }
         }
+        /// Moves a value into a row that is raw memory.
+        void take_row(std::uint32_t row, std::byte* value) const noexcept {
+            if (moves_by_bytes) {
+                detail::copy_row(at(row), value, size);
+            } else {
+                info->relocate(at(row), value, 1);
+            }
+        }
     };
 
     /// @param signature   component numbers, ascending, without doubles
@@ -92,6 +100,10 @@ public:
     /// Makes sure that push() has a row. Throws CapacityExceeded.
     void reserve_one() {
         if (rows_ == capacity_) grow();
+    }
+    /// Makes sure that there is room for `rows` rows in all. Throws CapacityExceeded.
+    void reserve(std::uint64_t rows) {
+        if (rows > capacity_) grow_to(rows);
     }
     /// Appends a row whose components are raw memory that the caller fills at once (but EnableStates, which
     /// are zero); reserve_one() came before.
@@ -147,9 +159,10 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
-    friend struct detail::WorldAccess;
+    friend struct detail::BulkRows;
 
     void grow();
+    void grow_to(std::uint64_t rows);
     void grow_block(std::uint32_t capacity);
     void grow_reserved(std::uint32_t capacity);
     void commit(std::span<ReservedMemory> columns, std::uint32_t capacity) const;

@@ -14,18 +14,21 @@ void CommandArena::Deleter::operator()(std::byte* block) const noexcept {
     ::operator delete(block, k_alignment);
 }
 
-void* CommandArena::take(std::size_t bytes, std::size_t alignment) {
-    for (; block_ < blocks_.size(); ++block_, used_ = 0) {
-        const std::size_t begin = (used_ + alignment - 1) / alignment * alignment;
-        if (begin + bytes > blocks_[block_].size) continue;
-        used_ = begin + bytes;
-        return blocks_[block_].bytes.get() + begin;
+std::byte* CommandArena::take_from_next(std::size_t bytes) {
+    while (next_ < blocks_.size() && blocks_[next_].size < bytes)
+        ++next_;
+    if (next_ == blocks_.size()) {
+        const std::size_t doubled = blocks_.empty() ? k_first_block_bytes : blocks_.back().size * 2;
+        const std::size_t size = std::max(bytes, std::min(doubled, k_block_bytes));
+        blocks_.push_back(
+            {std::unique_ptr<std::byte, Deleter>{static_cast<std::byte*>(::operator new(size, k_alignment))},
+             size});
     }
-    const std::size_t size = std::max(bytes, k_block_bytes);
-    std::unique_ptr<std::byte, Deleter> block{static_cast<std::byte*>(::operator new(size, k_alignment))};
-    blocks_.push_back({std::move(block), size});
+    bytes_ = blocks_[next_].bytes.get();
+    size_ = blocks_[next_].size;
     used_ = bytes;
-    return blocks_.back().bytes.get();
+    ++next_;
+    return bytes_;
 }
 
 std::size_t CommandArena::memory_bytes() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ecs/command_player.h"
 #include "ecs/misuse.h"
 
 namespace rambla::ecs {
@@ -25,19 +26,17 @@ Commands& CommandQueue::recording(CommandKey key) {
 Playback CommandQueue::apply(World& world) {
     detail::IterationMark::forbid(world, "CommandQueue::apply");
     order_by_key();
-    Playback sum;
+    playing_.clear();
+    for (const Recording& recording : in_use_)
+        playing_.push_back(recording.commands.get());
     try {
-        for (const Recording& recording : in_use_) {
-            const Playback played = recording.commands->apply(world);
-            sum.applied += played.applied;
-            sum.dropped += played.dropped;
-        }
+        const Playback playback = detail::CommandPlayer::of(world).play(playing_, "CommandQueue::apply");
+        put_all_back();
+        return playback;
     } catch (...) {
         clear();
         throw;
     }
-    put_all_back();
-    return sum;
 }
 
 void CommandQueue::clear() noexcept {

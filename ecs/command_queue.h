@@ -55,6 +55,7 @@ private:
 
     std::mutex mutex_;
     std::vector<Recording> in_use_;
+    std::vector<Commands*> playing_;
     std::vector<std::unique_ptr<Commands>> free_;  ///< the one put back last is handed out first
 };
 

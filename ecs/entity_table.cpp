@@ -17,10 +17,10 @@ EntityTable::EntityTable(std::uint32_t max_entities)
     : memory_{std::size_t{std::min(max_entities, k_none)} * sizeof(EntityRecord)},
       max_entities_{std::min(max_entities, k_none)} {}
 
-void EntityTable::grow() {
-    if (capacity_ == max_entities_) detail::throw_full("entities", max_entities_);
+void EntityTable::grow_to(std::uint64_t slots) {
+    if (slots > max_entities_) detail::throw_full("entities", max_entities_);
     const std::uint64_t step = std::max(k_first_records, capacity_ / 8);
-    const std::uint64_t wanted = std::min<std::uint64_t>(capacity_ + step, max_entities_);
+    const std::uint64_t wanted = std::min<std::uint64_t>(std::max(slots, capacity_ + step), max_entities_);
     memory_.commit(wanted * sizeof(EntityRecord));
     capacity_ = static_cast<std::uint32_t>(wanted);
 }

@@ -8,10 +8,6 @@
 
 namespace rambla::ecs {
 
-namespace detail {
-struct WorldAccess;
-}
-
 inline constexpr std::uint32_t k_no_archetype = 0xffffffffu;
 
 /// Where an entity's row is. Free slots have no archetype and keep the next free slot in `row`.
@@ -33,6 +29,10 @@ public:
     void reserve_one() {
         if (first_free_ == k_none && size_ == capacity_) grow();
     }
+    /// Makes sure that the next `count` take() have slots. Throws CapacityExceeded.
+    void reserve(std::uint64_t count) {
+        if (alive_ + std::uint64_t{retired_} + count > capacity_) grow_to(alive_ + retired_ + count);
+    }
     /// Uses a slot; reserve_one() came before.
     Entity take(std::uint32_t archetype, std::uint32_t row) noexcept {
         ++alive_;
@@ -52,11 +52,17 @@ public:
         EntityRecord& record = records()[index];
         record.archetype = k_no_archetype;
         --alive_;
-        if (record.generation == k_last_generation) return;
+        if (record.generation == k_last_generation) {
+            ++retired_;
+            return;
+        }
         ++record.generation;
         record.row = first_free_;
         first_free_ = index;
     }
+
+    /// Whether give_back() will free the slot for others.
+    [[nodiscard]] static bool is_reusable(Entity entity) { return entity.generation != k_last_generation; }
 
     /// The record of a living entity, else null.
     [[nodiscard]] EntityRecord* find(Entity entity) noexcept {
@@ -70,16 +76,23 @@ public:
     }
     [[nodiscard]] EntityRecord& operator[](std::uint32_t index) noexcept { return records()[index]; }
 
+    /// Says where the row of a living entity is now.
+    void place(std::uint32_t index, std::uint32_t archetype, std::uint32_t row) noexcept {
+        records()[index].archetype = archetype;
+        records()[index].row = row;
+    }
+    /// Fetches the record ahead of its use; any index will do.
+    void prefetch(std::uint32_t index) const noexcept { __builtin_prefetch(records() + index); }
+
     [[nodiscard]] std::size_t alive_count() const { return alive_; }
     [[nodiscard]] std::size_t memory_bytes() const { return memory_.committed_bytes(); }
 
 private:
-    friend struct detail::WorldAccess;
-
     static constexpr std::uint32_t k_none = 0xffffffffu;
     static constexpr std::uint32_t k_last_generation = 0xffffffffu;
 
-    void grow();
+    void grow() { grow_to(std::uint64_t{capacity_} + 1); }
+    void grow_to(std::uint64_t slots);
     [[nodiscard]] EntityRecord* records() const noexcept {
         return reinterpret_cast<EntityRecord*>(memory_.data());
     }
@@ -89,6 +102,7 @@ private:
     std::uint32_t capacity_ = 0;
     std::uint32_t size_ = 0;  ///< slots ever used
     std::uint32_t alive_ = 0;
+    std::uint32_t retired_ = 0;  ///< slots that are never used again
     std::uint32_t first_free_ = k_none;
 };
 

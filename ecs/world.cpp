@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "ecs/command_player.h"
+
 namespace rambla::ecs {
 namespace {
 
@@ -100,7 +102,8 @@ Archetype& World::move(EntityRecord& record, Archetype& to) {
 
 std::size_t World::memory_bytes() const {
     return sizeof(World) + entities_.memory_bytes() + graph_.memory_bytes() +
-           bundles_.capacity() * sizeof(BundlePlace) + resources_.memory_bytes();
+           bundles_.capacity() * sizeof(BundlePlace) + resources_.memory_bytes() +
+           (player_ != nullptr ? player_->memory_bytes() : 0);
 }
 
 }  // namespace rambla::ecs

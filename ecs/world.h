@@ -25,6 +25,9 @@ namespace rambla::ecs {
 template <class... Terms>
 class Query;
 class Commands;
+namespace detail {
+class CommandPlayer;
+}
 
 /// Limits and memory of a world. Address space is reserved by them, memory is not.
 struct WorldOptions {
@@ -54,7 +57,7 @@ public:
     /// An entity without components.
     Entity create() { return create_in(empty_archetype()).entity; }
     /// An entity with these components, which lands directly in its archetype. Throws CapacityExceeded.
-    template <class... Cs>
+    template <Component... Cs>
     requires(sizeof...(Cs) > 0) Entity create(Cs... values);
     /// Ends the entity and its components. Throws Misuse on a stale handle.
     void destroy(Entity entity);
@@ -134,7 +137,7 @@ private:
     template <class... Terms>
     friend class Query;
     friend class Commands;
-    friend struct detail::WorldAccess;
+    friend class detail::CommandPlayer;
 
     struct Created {
         Entity entity;
@@ -200,6 +203,7 @@ private:
     std::vector<BundlePlace> bundles_;  ///< by type index of the Bundle
     std::uint64_t serial_;              ///< never used twice: how queries know the world they have cached
     std::uint32_t version_;
+    std::unique_ptr<detail::CommandPlayer> player_;  ///< made by the first playback
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -245,9 +249,8 @@ void World::construct_sparse(Entity entity, C& value) {
     }
 }
 
-template <class... Cs>
+template <Component... Cs>
 requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
-    (detail::explain_component<Cs>(), ...);
     static_assert(detail::k_all_differ<Cs...>, "an entity has each component once");
     const BundlePlace& place = bundle_place<Cs...>();
     const Created created = create_in(*place.archetype);

@@ -141,18 +141,43 @@ TEST(Commands, EndWhatWasNeverApplied) {
     EXPECT_EQ(Anchored::alive, 0);
 }
 
-TEST(Commands, StopAtAFullWorldWithNothingHalfDone) {
+TEST(Commands, ChangeNothingWhenTheWorldIsFull) {
     World world{{.max_entities = 3}};
+    const Entity entity = world.create(Health{1});
     Commands commands;
-    for (int i = 0; i < 5; ++i)
+    commands.add(entity, Health{2});
+    for (int i = 0; i < 3; ++i)
         commands.create(Anchored{i});
     EXPECT_THROW(commands.apply(world), CapacityExceeded);
-    EXPECT_EQ(world.entity_count(), 3u);
-    EXPECT_EQ(Anchored::alive, 3);
+    EXPECT_EQ(world.entity_count(), 1u);
+    EXPECT_EQ(world.get<Health>(entity).points, 1);
+    EXPECT_EQ(Anchored::alive, 0);
     EXPECT_TRUE(commands.empty());
+    commands.destroy(entity);
+    for (int i = 0; i < 3; ++i)
+        commands.create(Anchored{i});
+    EXPECT_EQ(commands.apply(world).applied, 4u) << "those that leave make room first";
     Query<const Anchored> query;
     int next = 0;
     query.each(world, [&](const Anchored& anchored) { EXPECT_EQ(anchored.number(), next++); });
+    EXPECT_EQ(next, 3);
+}
+
+TEST(Commands, ChangeNothingWhenAnArchetypeIsFull) {
+    World world{{.max_rows_per_archetype = 16}};
+    std::vector<Entity> entities;
+    for (int i = 0; i < 10; ++i) {
+        entities.push_back(world.create(Health{i}));
+        world.create(Health{}, Velocity{});
+    }
+    Commands commands;
+    commands.destroy(entities[0]);
+    for (int i = 1; i < 10; ++i)
+        commands.add(entities[static_cast<std::size_t>(i)], Velocity{});
+    EXPECT_THROW(commands.apply(world), CapacityExceeded);
+    EXPECT_TRUE(commands.empty());
+    for (Entity entity : entities)
+        EXPECT_FALSE(world.has<Velocity>(entity));
 }
 
 TEST(Commands, ASteadyUseDoesNotAllocate) {

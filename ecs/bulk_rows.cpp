@@ -1,0 +1,178 @@
+#include "ecs/bulk_rows.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "ecs/relocate.h"
+
+namespace rambla::ecs::detail {
+namespace {
+
+/// How many entity records ahead of their turn are fetched: they lie anywhere.
+constexpr std::size_t k_ahead = 16;
+
+/// Copies rows of a size that the compiler knows; Width 0: of the size given.
+template <std::size_t Width>
+void gather(std::byte* to, const std::byte* from, std::span<const std::uint32_t> rows, std::size_t size) {
+    for (std::uint32_t row : rows) {
+        if constexpr (Width != 0) {
+            std::memcpy(to, from + std::size_t{row} * Width, Width);
+            to += Width;
+        } else {
+            copy_row(to, from + std::size_t{row} * size, size);
+            to += size;
+        }
+    }
+}
+
+void gather(const Archetype::Column& column, std::byte* to, std::span<const std::uint32_t> rows) {
+    if (!column.moves_by_bytes) {
+        for (std::uint32_t row : rows) {
+            column.info->relocate(to, column.at(row), 1);
+            to += column.size;
+        }
+        return;
+    }
+    switch (column.size) {
+        case 4:
+            return gather<4>(to, column.base, rows, 4);
+        case 8:
+            return gather<8>(to, column.base, rows, 8);
+        case 12:
+            return gather<12>(to, column.base, rows, 12);
+        case 16:
+            return gather<16>(to, column.base, rows, 16);
+        case 64:
+            return gather<64>(to, column.base, rows, 64);
+        default:
+            return gather<0>(to, column.base, rows, column.size);
+    }
+}
+
+template <class Row>
+void scatter(std::byte* base, std::span<const std::uint32_t> to, std::span<const std::uint32_t> from) {
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        std::memcpy(base + std::size_t{to[i]} * sizeof(Row), base + std::size_t{from[i]} * sizeof(Row),
+                    sizeof(Row));
+    }
+}
+
+struct Bytes12 {
+    std::byte bytes[12];
+};
+struct Bytes16 {
+    std::byte bytes[16];
+};
+
+/// Moves rows within a column.
+void fill_gaps(const Archetype::Column& column, std::span<const std::uint32_t> gaps,
+               std::span<const std::uint32_t> fillers) {
+    if (column.moves_by_bytes && column.size == 4) return scatter<std::uint32_t>(column.base, gaps, fillers);
+    if (column.moves_by_bytes && column.size == 8) return scatter<std::uint64_t>(column.base, gaps, fillers);
+    if (column.moves_by_bytes && column.size == 12) return scatter<Bytes12>(column.base, gaps, fillers);
+    if (column.moves_by_bytes && column.size == 16) return scatter<Bytes16>(column.base, gaps, fillers);
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+        column.relocate_row(column.at(gaps[i]), fillers[i]);
+}
+
+void end_rows(const Archetype::Column& column, std::span<const std::uint32_t> rows) {
+    if (column.info->destroy == nullptr) return;
+    for (std::uint32_t row : rows)
+        column.info->destroy(column.at(row), 1);
+}
+
+}  // namespace
+
+void BulkRows::reserve(Archetype& archetype, std::uint64_t count) {
+    archetype.reserve(archetype.rows() + count);
+}
+
+std::uint32_t BulkRows::append(Archetype& to, std::span<const Entity> fresh) const noexcept {
+    const std::uint32_t first = grow_rows(to, static_cast<std::uint32_t>(fresh.size()));
+    std::ranges::copy(fresh, to.entities_ + first);
+    for (std::uint32_t i = 0; i < fresh.size(); ++i)
+        entities.place(fresh[i].index, to.index(), first + i);
+    return first;
+}
+
+std::uint32_t BulkRows::move(Archetype& from, std::span<const std::uint32_t> rows,
+                             Archetype& to) const noexcept {
+    const std::uint32_t first = grow_rows(to, static_cast<std::uint32_t>(rows.size()));
+    Entity* moved = to.entities_ + first;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        moved[i] = from.entities_[rows[i]];
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i + k_ahead < rows.size()) entities.prefetch(moved[i + k_ahead].index);
+        entities.place(moved[i].index, to.index(), first + static_cast<std::uint32_t>(i));
+    }
+    auto target = to.columns_.begin();
+    for (const Archetype::Column& source : from.columns_) {
+        while (target != to.columns_.end() && target->component < source.component)
+            ++target;
+        if (target != to.columns_.end() && target->component == source.component) {
+            gather(source, target->at(first), rows);
+        } else {
+            end_rows(source, rows);
+        }
+    }
+    return first;
+}
+
+void BulkRows::end(Archetype& archetype, std::span<const std::uint32_t> rows) const noexcept {
+    for (const Archetype::Column& column : archetype.columns_)
+        end_rows(column, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i + k_ahead < rows.size()) entities.prefetch(archetype.entities_[rows[i + k_ahead]].index);
+        const Entity ended = archetype.entities_[rows[i]];
+        sparse.erase_all(ended, version);
+        entities.give_back(ended.index);
+    }
+}
+
+void BulkRows::close_gaps(Archetype& archetype, std::span<const std::uint32_t> gaps,
+                          std::span<std::uint32_t> fillers) const noexcept {
+    if (gaps.empty()) return;
+    const std::uint32_t old_end = archetype.rows_;
+    const std::uint32_t end = old_end - static_cast<std::uint32_t>(gaps.size());
+    const auto behind = std::ranges::lower_bound(gaps, end);
+    const std::span<const std::uint32_t> holes{gaps.begin(), behind};
+    std::size_t count = 0;
+    auto next_gap = behind;
+    for (std::uint32_t row = end; row < old_end; ++row) {
+        if (next_gap != gaps.end() && *next_gap == row) {
+            ++next_gap;
+        } else {
+            fillers[count++] = row;
+        }
+    }
+    fillers = fillers.first(count);
+    archetype.rows_ = end;
+    for (const Archetype::Column& column : archetype.columns_)
+        fill_gaps(column, holes, fillers);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + k_ahead < count) entities.prefetch(archetype.entities_[fillers[i + k_ahead]].index);
+        const Entity filler = archetype.entities_[fillers[i]];
+        archetype.entities_[holes[i]] = filler;
+        entities[filler.index].row = holes[i];
+        archetype.stamp_rows(holes[i], version);
+    }
+    stamp(archetype, end, old_end);
+}
+
+std::uint32_t BulkRows::grow_rows(Archetype& to, std::uint32_t count) const noexcept {
+    const std::uint32_t first = to.rows_;
+    to.rows_ += count;
+    stamp(to, first, to.rows_);
+    if (!to.has_companions_) return first;
+    for (const Archetype::Column& column : to.columns_) {
+        if (column.info->is_companion) std::memset(column.at(first), 0, std::size_t{count} * column.size);
+    }
+    return first;
+}
+
+void BulkRows::stamp(Archetype& archetype, std::uint32_t first, std::uint32_t end) const noexcept {
+    for (std::uint32_t row = first; row < end; row = (row / k_chunk_rows + 1) * k_chunk_rows)
+        archetype.stamp_rows(row, version);
+}
+
+}  // namespace rambla::ecs::detail

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "ecs/archetype.h"
+#include "ecs/entity_table.h"
+#include "ecs/sparse_set.h"
+
+namespace rambla::ecs::detail {
+
+/// Changes of many rows of an archetype at once, column by column, so that the memory of one column is walked
+/// through in one direction at a time. Lists of rows are ascending and without doubles.
+struct BulkRows {
+    EntityTable& entities;
+    SparseSets& sparse;
+    std::uint32_t version;  ///< that changed chunks are stamped with
+
+    /// Makes sure that append() has room for `count` rows. Throws CapacityExceeded.
+    static void reserve(Archetype& archetype, std::uint64_t count);
+
+    /// Appends rows for these entities, whose components are raw memory that the caller fills. Returns the
+    /// first.
+    std::uint32_t append(Archetype& to, std::span<const Entity> fresh) const noexcept;
+    /// Moves rows behind the last one of `to`: shared components are relocated, those that `to` lacks end,
+    /// those that only `to` has stay raw. The rows left behind are gaps until close_gaps(). Returns the
+    /// first.
+    std::uint32_t move(Archetype& from, std::span<const std::uint32_t> rows, Archetype& to) const noexcept;
+    /// Ends the components, sparse ones too, and frees the handles of rows, which are gaps then.
+    void end(Archetype& archetype, std::span<const std::uint32_t> rows) const noexcept;
+    /// Fills gaps, from the lowest on, with the rows behind the new end, from the lowest on.
+    /// @param fillers  scratch, as long as `gaps`
+    void close_gaps(Archetype& archetype, std::span<const std::uint32_t> gaps,
+                    std::span<std::uint32_t> fillers) const noexcept;
+
+private:
+    std::uint32_t grow_rows(Archetype& to, std::uint32_t count) const noexcept;
+    void stamp(Archetype& archetype, std::uint32_t first, std::uint32_t end) const noexcept;
+};
+
+}  // namespace rambla::ecs::detail

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "ecs/component.h"
+#include "ecs/entity.h"
+
+namespace rambla::ecs::detail {
+
+/// What the placeholders of one recording stand for: number i stands for entities[i].
+using CreatedEntities = std::span<const Entity>;
+
+[[nodiscard]] inline Entity resolved(CreatedEntities created, Entity entity) {
+    return entity.generation == 0 && entity.index < created.size() ? created[entity.index] : entity;
+}
+
+enum class CommandKind : std::uint8_t { create, add, remove, destroy };
+
+/// One component of a command.
+struct CommandPart {
+    const ComponentInfo* info;
+    std::uint32_t offset;  ///< of the value in the command's values
+    /// Puts entities where the value holds placeholders; null if it holds no entities.
+    void (*resolve)(CreatedEntities created, void* value);
+};
+
+/// All that commands written the same way share: one of these per function and list of types.
+struct CommandType {
+    CommandKind kind;
+    bool holds_entities;  ///< some part must be resolved
+    bool values_end;      ///< some part has a destructor to call
+    bool sparse;          ///< some part is stored sparse
+    std::span<const CommandPart> parts;
+};
+
+struct Command {
+    Entity entity;
+    const CommandType* type;
+    std::byte* values;  ///< null where there are none
+};
+
+template <class C>
+void resolve_members(CreatedEntities created, void* value) {
+    C& component = *static_cast<C*>(value);
+    std::apply([&](auto... members) { ((component.*members = resolved(created, component.*members)), ...); },
+               entity_members<C>::value);
+}
+
+template <class C>
+CommandPart command_part(std::size_t offset) {
+    CommandPart part{&component_info<C>(), static_cast<std::uint32_t>(offset), nullptr};
+    if constexpr (requires { entity_members<C>::value; }) part.resolve = &resolve_members<C>;
+    return part;
+}
+
+/// How the values of several components lie behind each other.
+template <class... Cs>
+struct CommandLayout {
+    static constexpr std::size_t alignment = [] {
+        std::size_t largest = 1;
+        ((largest = !is_tag<Cs> && alignof(Cs) > largest ? alignof(Cs) : largest), ...);
+        return largest;
+    }();
+    /// One offset per component, then the size of all.
+    static constexpr std::array<std::size_t, sizeof...(Cs) + 1> offsets = [] {
+        std::array<std::size_t, sizeof...(Cs) + 1> result{};
+        std::size_t next = 0;
+        [[maybe_unused]] std::size_t i = 0;
+        [[maybe_unused]] const auto place = [&](std::size_t size, std::size_t align) {
+            next = (next + align - 1) / align * align;
+            result[i++] = next;
+            next += size;
+        };
+        (place(is_tag<Cs> ? 0 : sizeof(Cs), is_tag<Cs> ? 1 : alignof(Cs)), ...);
+        result[sizeof...(Cs)] = next;
+        return result;
+    }();
+    static constexpr std::size_t size = offsets[sizeof...(Cs)];
+};
+
+template <CommandKind Kind, class... Cs>
+const CommandType& command_type() {
+    static const std::array<CommandPart, sizeof...(Cs)> parts = [] {
+        [[maybe_unused]] std::size_t i = 0;
+        return std::array<CommandPart, sizeof...(Cs)>{
+            command_part<Cs>(CommandLayout<Cs...>::offsets[i++])...};
+    }();
+    static const CommandType type = [] {
+        CommandType result{Kind, false, false, false, parts};
+        for (const CommandPart& part : parts) {
+            result.sparse = result.sparse || part.info->storage == Storage::sparse;
+            if (Kind == CommandKind::remove) continue;
+            result.holds_entities = result.holds_entities || part.resolve != nullptr;
+            result.values_end = result.values_end || part.info->destroy != nullptr;
+        }
+        return result;
+    }();
+    return type;
+}
+
+}  // namespace rambla::ecs::detail

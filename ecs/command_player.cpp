@@ -1,0 +1,247 @@
+#include "ecs/command_player.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "ecs/iteration.h"
+#include "ecs/relocate.h"
+
+namespace rambla::ecs::detail {
+namespace {
+
+/// How many values ahead of their turn are fetched: after sorting by rows they lie anywhere.
+constexpr std::size_t k_ahead = 16;
+
+}  // namespace
+
+CommandPlayer& CommandPlayer::of(World& world) {
+    if (world.player_ == nullptr) world.player_ = std::make_unique<CommandPlayer>(world);
+    return *world.player_;
+}
+
+Playback CommandPlayer::play(std::span<Commands* const> recordings, std::string_view operation) {
+    IterationMark::forbid(world_, operation);
+    const auto forget = [&] {
+        for (Commands* recording : recordings)
+            recording->forget_from(0);
+    };
+    try {
+        merge(recordings);
+        plan_.make(world_.graph_, world_.entities_, commands_, created_);
+        prepare();
+    } catch (...) {
+        forget();
+        throw;
+    }
+    const Playback playback{commands_.size() - plan_.dropped(), plan_.dropped()};
+    commit(recordings);
+    give_created_to(recordings);
+    write_sparse();
+    return playback;
+}
+
+void CommandPlayer::merge(std::span<Commands* const> recordings) {
+    created_.clear();
+    placeholders_.assign(1, 0);
+    for (Commands* recording : recordings) {
+        placeholders_.push_back(placeholders_.back() + recording->placeholders_);
+        recording->created_.clear();
+        recording->created_.reserve(recording->placeholders_);
+    }
+    created_.reserve(placeholders_.back());
+    if (recordings.size() == 1) {
+        commands_ = recordings[0]->commands_;
+        return;
+    }
+    merged_.clear();
+    for (std::size_t i = 0; i < recordings.size(); ++i) {
+        const std::vector<Command>& commands = recordings[i]->commands_;
+        merged_.insert(merged_.end(), commands.begin(), commands.end());
+        if (placeholders_.back() == 0) continue;
+        for (Command& command : std::span{merged_}.last(commands.size())) {
+            if (command.entity.generation != 0) continue;
+            const bool known = command.entity.index < recordings[i]->placeholders_;
+            command.entity.index = known ? command.entity.index + placeholders_[i] : Entity{}.index;
+        }
+    }
+    commands_ = merged_;
+}
+
+void CommandPlayer::prepare() {
+    incoming_.assign(world_.graph_.size(), 0);
+    for (const PlannedGroup& group : plan_.groups()) {
+        if (group.to != nullptr && group.to != group.from) incoming_[group.to->index()] += group.count;
+    }
+    for (const PlannedGroup& group : plan_.groups()) {
+        if (group.to != nullptr) BulkRows::reserve(*group.to, std::exchange(incoming_[group.to->index()], 0));
+    }
+    reserve_handles();
+    std::size_t most_gaps = 0;
+    for (const PlannedGaps& gaps : plan_.gaps())
+        most_gaps = std::max<std::size_t>(most_gaps, gaps.count);
+    fillers_.resize(most_gaps);
+    fresh_.reserve(plan_.creations());
+}
+
+void CommandPlayer::reserve_handles() {
+    std::uint64_t wanted = 0;
+    std::uint64_t freed = 0;
+    for (const PlannedGroup& group : plan_.groups()) {
+        if (group.from == nullptr) {
+            wanted += group.to != nullptr ? group.count : 1;  // those that end at once share a slot
+        } else if (group.to == nullptr && plan_.creations() != 0) {
+            for (std::uint32_t row : plan_.rows(group)) {
+                const bool reusable = EntityTable::is_reusable(group.from->entities()[row]);
+                freed += reusable ? 1 : 0;
+            }
+        }
+    }
+    if (wanted > freed) world_.entities_.reserve(wanted - freed);
+}
+
+void CommandPlayer::commit(std::span<Commands* const> recordings) noexcept {
+    const BulkRows bulk{world_.entities_, world_.graph_.sparse(), world_.version_};
+    for (const PlannedGroup& group : plan_.groups()) {
+        if (group.from != nullptr && group.to == nullptr) bulk.end(*group.from, plan_.rows(group));
+    }
+    create_handles();
+    resolve_placeholders(recordings);
+    for (const ObsoleteValue& obsolete : plan_.obsolete())
+        obsolete.info->destroy(obsolete.value, 1);
+    auto gaps = plan_.gaps().begin();
+    const std::span<const PlannedGroup> groups = plan_.groups();
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const PlannedGroup& group = groups[i];
+        if (group.from == nullptr) {
+            append_created(group, bulk);
+        } else if (group.from == group.to) {
+            replace(group);
+        } else if (group.to != nullptr) {
+            write(group, bulk.move(*group.from, plan_.rows(group), *group.to));
+        }
+        const bool last_of_section = i + 1 == groups.size() || groups[i + 1].from != group.from;
+        if (last_of_section && gaps != plan_.gaps().end() && gaps->archetype == group.from) {
+            bulk.close_gaps(*group.from, plan_.rows(*gaps), fillers_);
+            ++gaps;
+        }
+    }
+}
+
+void CommandPlayer::create_handles() noexcept {
+    std::span<const std::uint32_t> doomed;
+    for (const PlannedGroup& group : plan_.groups()) {
+        if (group.from == nullptr && group.to == nullptr) doomed = plan_.rows(group);
+    }
+    for (std::uint32_t creation = 0; creation < plan_.creations(); ++creation) {
+        created_.push_back(world_.entities_.take(0, 0));
+        if (doomed.empty() || doomed.front() != creation) continue;
+        world_.entities_.give_back(created_.back().index);
+        doomed = doomed.subspan(1);
+    }
+}
+
+void CommandPlayer::resolve_placeholders(std::span<Commands* const> recordings) noexcept {
+    if (created_.empty()) return;
+    for (std::size_t i = 0; i < recordings.size(); ++i) {
+        const CreatedEntities created = created_of(i);
+        for (const Command& command : recordings[i]->commands_) {
+            if (!command.type->holds_entities) continue;
+            for (const CommandPart& part : command.type->parts) {
+                if (part.resolve != nullptr) part.resolve(created, command.values + part.offset);
+            }
+        }
+    }
+}
+
+void CommandPlayer::append_created(const PlannedGroup& group, const BulkRows& bulk) noexcept {
+    if (group.to == nullptr) return;
+    fresh_.clear();
+    for (std::uint32_t creation : plan_.rows(group))
+        fresh_.push_back(created_[created_.size() - plan_.creations() + creation]);
+    write(group, bulk.append(*group.to, fresh_));
+}
+
+void CommandPlayer::write(const PlannedGroup& group, std::uint32_t first_row) noexcept {
+    const std::span<const PlannedWrite> writes = plan_.writes();
+    ComponentId component = k_no_component;
+    const Archetype::Column* column = nullptr;
+    bool replaces = false;
+    std::uint32_t row = first_row;
+    for (const WriteRange& range : plan_.write_ranges(group)) {
+        if (range.first + k_ahead < writes.size()) __builtin_prefetch(writes[range.first + k_ahead].value);
+        for (const PlannedWrite& write : writes.subspan(range.first, range.count)) {
+            if (write.component != component) {
+                component = write.component;
+                column = &group.to->columns()[group.to->column_of(component)];
+                replaces =
+                    write.info->destroy != nullptr && group.from != nullptr && group.from->has(component);
+            }
+            if (replaces) write.info->destroy(column->at(row), 1);
+            column->take_row(row, write.value);
+        }
+        ++row;
+    }
+}
+
+void CommandPlayer::replace(const PlannedGroup& group) noexcept {
+    const std::span<const std::uint32_t> rows = plan_.rows(group);
+    const std::span<const WriteRange> ranges = plan_.write_ranges(group);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const PlannedWrite& write : plan_.writes().subspan(ranges[i].first, ranges[i].count)) {
+            const ColumnIndex index = group.to->column_of(write.component);
+            const Archetype::Column& column = group.to->columns()[index];
+            if (write.info->destroy != nullptr) write.info->destroy(column.at(rows[i]), 1);
+            column.take_row(rows[i], write.value);
+            group.to->stamp(index, rows[i] / k_chunk_rows, world_.version_);
+        }
+    }
+}
+
+void CommandPlayer::write_sparse() {
+    const std::span<const PlannedSparse> all = plan_.sparse();
+    std::size_t next = 0;
+    try {
+        for (; next < all.size(); ++next) {
+            const PlannedSparse& sparse = all[next];
+            const Entity entity = resolved(created_, sparse.entity);
+            if (sparse.removes) {
+                SparseSet& set = world_.graph_.sparse_set(*sparse.info);
+                const std::uint32_t place = set.find(entity);
+                if (place != SparseSet::k_none) set.erase(place, world_.version_);
+                continue;
+            }
+            if (sparse.value == nullptr && sparse.info->size != 0) continue;
+            void* slot = world_.sparse_slot_for(entity, *sparse.info);
+            if (slot != nullptr) relocate_rows(*sparse.info, static_cast<std::byte*>(slot), sparse.value, 1);
+        }
+    } catch (...) {
+        for (const PlannedSparse& sparse : all.subspan(next)) {
+            if (sparse.value != nullptr) destroy_rows(*sparse.info, sparse.value, 1);
+        }
+        throw;
+    }
+}
+
+CreatedEntities CommandPlayer::created_of(std::size_t recording) const {
+    const std::size_t first = placeholders_[recording];
+    const std::size_t end = std::min<std::size_t>(placeholders_[recording + 1], created_.size());
+    return CreatedEntities{created_}.subspan(std::min(first, end), end - std::min(first, end));
+}
+
+void CommandPlayer::give_created_to(std::span<Commands* const> recordings) {
+    for (std::size_t i = 0; i < recordings.size(); ++i) {
+        const CreatedEntities created = created_of(i);
+        recordings[i]->created_.assign(created.begin(), created.end());
+        recordings[i]->forget_from(recordings[i]->commands_.size());
+    }
+}
+
+std::size_t CommandPlayer::memory_bytes() const {
+    return sizeof(CommandPlayer) + plan_.memory_bytes() + merged_.capacity() * sizeof(Command) +
+           (placeholders_.capacity() + fillers_.capacity()) * sizeof(std::uint32_t) +
+           (created_.capacity() + fresh_.capacity()) * sizeof(Entity) +
+           incoming_.capacity() * sizeof(std::uint64_t);
+}
+
+}  // namespace rambla::ecs::detail
