@@ -113,9 +113,9 @@ void Archetype::grow_to(std::uint64_t rows) {
     if (std::max(rows, doubled) <= k_pooled_rows || !storage_.reserves) {
         const std::uint64_t wanted = std::max<std::uint64_t>(round_up(rows, k_row_padding), doubled);
         grow_block(static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, storage_.max_rows)));
-    } else {  // by an eighth: growth in place is cheap, and the unused part stays small
-        const std::uint64_t eighth = std::uint64_t{capacity_} + capacity_ / 8 + 1;
-        const std::uint64_t wanted = round_up(std::max(rows, eighth), k_chunk_rows);
+    } else {  // by 1/32: growth in place is cheap, and the unused part stays small
+        const std::uint64_t step = std::uint64_t{capacity_} + capacity_ / 32 + 1;
+        const std::uint64_t wanted = round_up(std::max(rows, step), k_chunk_rows);
         grow_reserved(static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, storage_.max_rows)));
     }
 }
