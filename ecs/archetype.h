@@ -14,6 +14,10 @@
 
 namespace rambla::ecs {
 
+namespace detail {
+struct WorldAccess;
+}
+
 /// Rows of a logical chunk: the unit of iteration, of change versions and of jobs.
 inline constexpr std::uint32_t k_chunk_rows = 1024;
 /// Capacities are multiples of this, so that SIMD may read whole vectors at a column's end.
@@ -159,6 +163,7 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
+    friend struct detail::WorldAccess;
     friend struct detail::BulkRows;
 
     void grow();

@@ -12,6 +12,10 @@
 
 namespace rambla::ecs {
 
+namespace detail {
+struct WorldAccess;
+}
+
 /// All archetypes of a world in the order of their birth, found by signature or by one step along an edge:
 /// the archetype with one component more or less.
 class ArchetypeGraph {
@@ -50,6 +54,8 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
+    friend struct detail::WorldAccess;
+
     struct Edge {
         ComponentId component;
         std::uint32_t archetype;

@@ -45,7 +45,7 @@ public:
     Commands& operator=(const Commands&) = delete;
 
     /// An entity with these components, made in its final archetype. Returns a placeholder.
-    template <Component... Cs>
+    template <class... Cs>
     Entity create(Cs... values);
     /// Gives a component, or replaces the value that is there then.
     template <Component C>
@@ -90,8 +90,9 @@ private:
 
 // ----------------------------------------------------------------------------------------------------
 
-template <Component... Cs>
+template <class... Cs>
 Entity Commands::create(Cs... values) {
+    (detail::explain_component<Cs>(), ...);
     static_assert(detail::k_all_differ<Cs...>, "an entity has each component once");
     const Entity placeholder{placeholders_, 0};
     record(detail::command_type<detail::CommandKind::create, Cs...>(), placeholder, values...);

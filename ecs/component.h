@@ -36,6 +36,24 @@ concept Component = std::is_object_v<C> && !std::is_array_v<C> && std::same_as<C
                     std::is_nothrow_destructible_v<C> && alignof(C) <= k_column_alignment &&
                     (!std::is_empty_v<C> || std::is_trivially_destructible_v<C>);
 
+namespace detail {
+
+/// Says why a type is no component, where the concept would only say that it is none.
+template <class C>
+constexpr void explain_component() {
+    static_assert(std::is_object_v<C> && !std::is_array_v<C> && std::same_as<C, std::remove_cv_t<C>>,
+                  "a component is an object type, neither an array nor const nor volatile");
+    static_assert(!std::same_as<C, Entity>, "a component wraps an Entity and gives it a meaning");
+    static_assert(std::is_nothrow_move_constructible_v<C> && std::is_nothrow_destructible_v<C>,
+                  "moving and ending a component cannot fail (noexcept), so that nothing stops half-way "
+                  "through a row");
+    static_assert(alignof(C) <= k_column_alignment, "a component is aligned to at most 64 bytes");
+    static_assert(!std::is_empty_v<C> || std::is_trivially_destructible_v<C>,
+                  "a component without data (a tag) ends without doing anything");
+}
+
+}  // namespace detail
+
 /// Empty components are tags: they tell archetypes apart, but have no column, so nothing can be read from
 /// them.
 template <class C>

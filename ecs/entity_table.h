@@ -8,6 +8,10 @@
 
 namespace rambla::ecs {
 
+namespace detail {
+struct WorldAccess;
+}
+
 inline constexpr std::uint32_t k_no_archetype = 0xffffffffu;
 
 /// Where an entity's row is. Free slots have no archetype and keep the next free slot in `row`.
@@ -92,6 +96,8 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const { return memory_.committed_bytes(); }
 
 private:
+    friend struct detail::WorldAccess;
+
     static constexpr std::uint32_t k_none = 0xffffffffu;
     static constexpr std::uint32_t k_last_generation = 0xffffffffu;
 

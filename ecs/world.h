@@ -57,7 +57,7 @@ public:
     /// An entity without components.
     Entity create() { return create_in(empty_archetype()).entity; }
     /// An entity with these components, which lands directly in its archetype. Throws CapacityExceeded.
-    template <Component... Cs>
+    template <class... Cs>
     requires(sizeof...(Cs) > 0) Entity create(Cs... values);
     /// Ends the entity and its components. Throws Misuse on a stale handle.
     void destroy(Entity entity);
@@ -147,6 +147,7 @@ private:
     template <class... Terms>
     friend class Query;
     friend class Commands;
+    friend struct detail::WorldAccess;
     friend class detail::CommandPlayer;
 
     struct Created {
@@ -261,8 +262,9 @@ void World::construct_sparse(Entity entity, C& value) {
     }
 }
 
-template <Component... Cs>
+template <class... Cs>
 requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
+    (detail::explain_component<Cs>(), ...);
     static_assert(detail::k_all_differ<Cs...>, "an entity has each component once");
     const BundlePlace& place = bundle_place<Cs...>();
     const Created created = create_in(*place.archetype);

@@ -1,0 +1,26 @@
+# cmake -DCOMPILER=… -DCASE=file.cpp -DFOLDERS=include;folders -P check_case.cmake
+
+file(STRINGS ${CASE} expectations REGEX "^// says: ")
+list(LENGTH expectations count)
+if(NOT count EQUAL 1)
+  message(FATAL_ERROR "${CASE} needs one line '// says: REGEX', has ${count}")
+endif()
+string(REGEX REPLACE "^// says: " "" expected "${expectations}")
+
+set(command ${COMPILER} -std=c++20 -Wall -Wextra -Werror -fsyntax-only)
+foreach(folder IN LISTS FOLDERS)
+  list(APPEND command -I ${folder})
+endforeach()
+
+execute_process(COMMAND ${command} ${CASE} RESULT_VARIABLE result ERROR_VARIABLE text)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "Without RAMBLA_WRONG it must compile:\n${text}")
+endif()
+
+execute_process(COMMAND ${command} -DRAMBLA_WRONG ${CASE} RESULT_VARIABLE result ERROR_VARIABLE text)
+if(result EQUAL 0)
+  message(FATAL_ERROR "With RAMBLA_WRONG it must not compile, but does")
+endif()
+if(NOT text MATCHES "${expected}")
+  message(FATAL_ERROR "The compiler does not say \"${expected}\":\n${text}")
+endif()

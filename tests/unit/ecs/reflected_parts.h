@@ -1,0 +1,165 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ecs/query.h"
+#include "ecs/reflect.h"
+#include "ecs/snapshot.h"
+#include "ecs/type_registry.h"
+#include "unit/ecs/parts.h"
+
+namespace rambla::ecs::test {
+
+enum class Gear : std::uint8_t { park, drive, reverse = 7 };
+
+/// A component of every kind of field, with gaps between them.
+struct Machine {
+    bool on = false;
+    double hours = 0.0;
+    Gear gear = Gear::park;
+    std::int16_t slope = 0;
+    Entity driver;
+    std::array<float, 3> loads{};
+    Position place;
+    std::array<Velocity, 2> wheels{};
+    std::uint64_t serial = 0;
+    bool operator==(const Machine&) const = default;
+};
+
+/// Owns memory.
+struct Label {
+    std::string text;
+    std::uint32_t colour = 7;
+    bool operator==(const Label&) const = default;
+};
+
+/// What is not worth keeping.
+struct Cache {
+    int value = -1;
+};
+
+/// A resource.
+struct Weather {
+    float wind_m_s = 0.0f;
+    std::string name;
+    bool operator==(const Weather&) const = default;
+};
+
+/// Another library's type, whose members cannot be named.
+class Opaque {
+public:
+    [[nodiscard]] float& operator[](std::size_t i) { return values_[i]; }
+
+private:
+    float values_[4] = {1, 2, 3, 4};
+};
+
+/// All reflected parts.
+inline TypeRegistry parts_registry();
+
+}  // namespace rambla::ecs::test
+
+namespace rambla::ecs {
+
+template <>
+struct reflection<test::Position> {
+    static constexpr auto value = describe<test::Position>("position")
+                                      .field("x", &test::Position::x, {.unit = "m", .min = -1e6, .max = 1e6})
+                                      .field("y", &test::Position::y, {.unit = "m"})
+                                      .field("z", &test::Position::z, {.unit = "m"});
+};
+template <>
+struct reflection<test::Velocity> {
+    static constexpr auto value = describe<test::Velocity>("velocity")
+                                      .field("x", &test::Velocity::x, {.unit = "m/s"})
+                                      .field("y", &test::Velocity::y, {.unit = "m/s"})
+                                      .field("z", &test::Velocity::z, {.unit = "m/s"});
+};
+template <>
+struct reflection<test::Health> {
+    static constexpr auto value =
+        describe<test::Health>("health").field("points", &test::Health::points, {.min = 0, .max = 100});
+};
+template <>
+struct reflection<test::Byte> {
+    static constexpr auto value = describe<test::Byte>("byte").field("value", &test::Byte::value);
+};
+template <>
+struct reflection<test::Parent> {
+    static constexpr auto value = describe<test::Parent>("parent").field("entity", &test::Parent::entity);
+};
+template <>
+struct reflection<test::Frozen> {
+    static constexpr auto value = describe<test::Frozen>("frozen");
+};
+template <>
+struct reflection<test::Gear> {
+    static constexpr auto value = enumeration<test::Gear>(
+        {{"park", test::Gear::park}, {"drive", test::Gear::drive}, {"reverse", test::Gear::reverse}});
+};
+template <>
+struct reflection<test::Machine> {
+    static constexpr auto value = describe<test::Machine>("machine", 3)
+                                      .field("on", &test::Machine::on)
+                                      .field("hours", &test::Machine::hours, {.unit = "h", .min = 0})
+                                      .field("gear", &test::Machine::gear)
+                                      .field("slope", &test::Machine::slope)
+                                      .field("driver", &test::Machine::driver)
+                                      .field("loads", &test::Machine::loads, {.unit = "N"})
+                                      .field("place", &test::Machine::place)
+                                      .field("wheels", &test::Machine::wheels)
+                                      .field("serial", &test::Machine::serial);
+};
+template <>
+struct reflection<test::Label> {
+    static constexpr auto value = describe<test::Label>("label")
+                                      .field("text", &test::Label::text)
+                                      .field("colour", &test::Label::colour);
+};
+template <>
+struct reflection<test::Weather> {
+    static constexpr auto value = describe<test::Weather>("weather")
+                                      .field("wind_m_s", &test::Weather::wind_m_s)
+                                      .field("name", &test::Weather::name);
+};
+template <>
+struct reflection<test::Opaque> {
+    static constexpr auto value = describe<test::Opaque>("opaque").elements<float>("values", {.unit = "lx"});
+};
+
+inline TypeRegistry test::parts_registry() {
+    TypeRegistry registry;
+    registry.add<Position>();
+    registry.add<Velocity>();
+    registry.add<Health>();
+    registry.add<Byte>();
+    registry.add<Parent>();
+    registry.add<Frozen>();
+    registry.add<Machine>();
+    registry.add<Label>();
+    registry.add_transient<Cache>("cache");
+    registry.add_resource<Weather>();
+    return registry;
+}
+
+}  // namespace rambla::ecs
+
+namespace rambla::ecs::test {
+
+using Bytes = std::vector<std::byte>;
+
+inline Bytes copy_of(std::span<const std::byte> bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+/// A snapshot by a writer of its own.
+inline Bytes snapshot_of(World& world, const TypeRegistry& registry) {
+    SnapshotWriter writer{registry};
+    return copy_of(writer.write(world));
+}
+
+}  // namespace rambla::ecs::test
