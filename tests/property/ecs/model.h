@@ -27,9 +27,10 @@ inline void expect(bool agreed, const char* what) {
 struct ModelEntity {
     std::array<std::optional<std::uint64_t>, k_part_count> parts{};
     std::array<std::uint32_t, k_part_count> written{};  ///< world versions
-    std::uint32_t moved = 0;                            ///< version of the last structural change
-    std::uint32_t visited = 0;                          ///< mark of the walk that saw it last
-    std::size_t place = 0;                              ///< in Model::alive()
+    std::array<bool, k_part_count> disabled{};
+    std::uint32_t moved = 0;    ///< version of the last structural change
+    std::uint32_t visited = 0;  ///< mark of the walk that saw it last
+    std::size_t place = 0;      ///< in Model::alive()
 
     [[nodiscard]] bool has(std::size_t part) const { return parts[part].has_value(); }
 };

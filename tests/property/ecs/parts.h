@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -14,18 +15,23 @@
 namespace rambla::ecs::property {
 
 using test::Anchored;
+using test::Burning;
 using test::Byte;
 using test::Frozen;
 using test::Health;
 using test::Hidden;
+using test::Light;
 using test::Line;
 using test::Owner;
 using test::Parent;
 using test::Position;
+using test::Selected;
+using test::SparseAnchored;
 
 /// All components of the random worlds, by number: moved by bytes, by constructor, owning, wide, narrow,
-/// without value, holding an entity.
-using Parts = std::tuple<Health, Position, Anchored, Owner, Line, Byte, Frozen, Hidden, Parent>;
+/// without value, holding an entity, switched per row, stored sparse.
+using Parts = std::tuple<Health, Position, Anchored, Owner, Line, Byte, Frozen, Hidden, Parent, Light,
+                         Burning, SparseAnchored, Selected>;
 inline constexpr std::size_t k_part_count = std::tuple_size_v<Parts>;
 
 [[nodiscard]] constexpr std::uint64_t key_of(Entity entity) {
@@ -41,7 +47,9 @@ template <class C>
 [[nodiscard]] C make_part(std::uint32_t n) {
     if constexpr (std::is_same_v<C, Health>) return {static_cast<int>(n >> 1u)};
     if constexpr (std::is_same_v<C, Position>) return {static_cast<float>(n >> 8u), 1.0f, 2.0f};
-    if constexpr (std::is_same_v<C, Anchored>) return Anchored{static_cast<int>(n >> 1u)};
+    if constexpr (std::is_base_of_v<Anchored, C>) return C{static_cast<int>(n >> 1u)};
+    if constexpr (std::is_same_v<C, Light>) return {static_cast<float>(n >> 8u)};
+    if constexpr (std::is_same_v<C, Burning>) return {static_cast<int>(n >> 1u)};
     if constexpr (std::is_same_v<C, Owner>) return {std::make_unique<int>(static_cast<int>(n >> 1u))};
     if constexpr (std::is_same_v<C, Byte>) return {static_cast<std::uint8_t>(n)};
     if constexpr (std::is_same_v<C, Parent>) return {{n & 0xffu, 1u + (n >> 28u)}};
@@ -61,7 +69,9 @@ template <class C>
         if (part.y != 1.0f || part.z != 2.0f) return {};
         return static_cast<std::uint64_t>(part.x);
     }
-    if constexpr (std::is_same_v<C, Anchored>) {
+    if constexpr (std::is_same_v<C, Light>) return static_cast<std::uint64_t>(part.lux);
+    if constexpr (std::is_same_v<C, Burning>) return static_cast<std::uint64_t>(part.heat);
+    if constexpr (std::is_base_of_v<Anchored, C>) {
         if (!part.intact()) return {};
         return static_cast<std::uint64_t>(part.number());
     }

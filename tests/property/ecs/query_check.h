@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <tuple>
 
+#include "ecs/filters.h"
 #include "ecs/query.h"
 #include "property/ecs/model.h"
 
@@ -40,10 +41,27 @@ struct TermModel<Without<C>> {
     static bool fits(const ModelEntity& entity) { return !entity.has(part_number<C>()); }
 };
 
-template <class Terms>
+template <class... Cs>
+struct TermModel<AnyOf<Cs...>> {
+    static bool fits(const ModelEntity& entity) { return (entity.has(part_number<Cs>()) || ...); }
+};
+template <class C>
+struct TermModel<Enabled<C>> {
+    static bool fits(const ModelEntity& entity) {
+        return entity.has(part_number<C>()) && !entity.disabled[part_number<C>()];
+    }
+};
+template <class C>
+struct TermModel<Disabled<C>> {
+    static bool fits(const ModelEntity& entity) {
+        return entity.has(part_number<C>()) && entity.disabled[part_number<C>()];
+    }
+};
+
+template <class ChunkType>
 struct HandedOutCheck;
-template <class... Terms>
-struct HandedOutCheck<Chunk<Terms...>> {
+template <template <class...> class ChunkType, class... Terms>
+struct HandedOutCheck<ChunkType<Terms...>> {
     template <class... Arguments>
     static void check(const ModelEntity& entity, Arguments&&... arguments) {
         (TermModel<Terms>::check(entity, arguments), ...);
@@ -83,7 +101,7 @@ private:
         for (const auto& chunk : query_.chunks(world)) {
             expect(chunk.size() >= 1 && chunk.size() <= k_chunk_rows, "a chunk has a wrong size");
             expect(chunk.template get<0>().size() == chunk.size(), "a span is shorter than its chunk");
-            rows += chunk.size();
+            rows += chunk.rows().count();
         }
         expect(rows == fitting, "chunks and rows disagree");
     }

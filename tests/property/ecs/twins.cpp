@@ -18,6 +18,7 @@ enum Kind : std::uint32_t {
     add,
     remove,
     write,
+    toggle,
     check_one,
     check_dead,
     record,
@@ -25,6 +26,7 @@ enum Kind : std::uint32_t {
     check_query,
     write_through_query,
     check_versions,
+    check_changed,
     check_versions_of_rows,
     change_while_iterating,
     kind_count
@@ -40,6 +42,7 @@ constexpr auto k_weights = [] {
     weights[add] = 1200;
     weights[remove] = 900;
     weights[write] = 900;
+    weights[toggle] = 500;
     weights[check_one] = 1500;
     weights[check_dead] = 300;
     weights[record] = 2500;
@@ -47,10 +50,17 @@ constexpr auto k_weights = [] {
     weights[check_query] = 6;
     weights[write_through_query] = 4;
     weights[check_versions] = 6;
+    weights[check_changed] = 10;
     weights[check_versions_of_rows] = 20;
     weights[change_while_iterating] = 6;
     return weights;
 }();
+
+/// By part: adding and removing it moves no row.
+constexpr auto k_sparse = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array{storage_of<std::tuple_element_t<I, Parts>> == Storage::sparse...};
+}
+(std::make_index_sequence<k_part_count>{});
 
 }  // namespace
 
@@ -79,6 +89,8 @@ void Twins::play(const Operation& operation) {
             return remove(operation);
         case Kind::write:
             return write(operation);
+        case Kind::toggle:
+            return toggle(operation);
         case Kind::check_one:
             return check_one(operation);
         case Kind::check_dead:
@@ -93,6 +105,8 @@ void Twins::play(const Operation& operation) {
             return write_through_query(operation);
         case Kind::check_versions:
             return check_versions(operation);
+        case Kind::check_changed:
+            return check_changed(operation);
         case Kind::check_versions_of_rows:
             return check_versions_of_rows(operation);
         default:
@@ -131,13 +145,20 @@ std::optional<Entity> Twins::target(const Operation& operation) const {
 ModelEntity Twins::newborn() const {
     ModelEntity entity;
     entity.moved = world_.version();
+    entity.written.fill(world_.version());
     return entity;
 }
 
 void Twins::set(ModelEntity& entity, std::size_t part, std::uint64_t value) const {
-    if (!entity.has(part)) entity.moved = world_.version();
+    if (!entity.has(part) && !k_sparse[part]) entity.moved = world_.version();
     entity.parts[part] = value;
     entity.written[part] = world_.version();
+}
+
+void Twins::unset(ModelEntity& entity, std::size_t part) const {
+    entity.parts[part].reset();
+    entity.disabled[part] = false;
+    if (!k_sparse[part]) entity.moved = world_.version();
 }
 
 }  // namespace rambla::ecs::property

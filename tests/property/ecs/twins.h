@@ -54,6 +54,7 @@ private:
     ModelEntity newborn() const;
     /// Gives the model's entity a part, or replaces the value it has.
     void set(ModelEntity& entity, std::size_t part, std::uint64_t value) const;
+    void unset(ModelEntity& entity, std::size_t part) const;
 
     // twins_structure.cpp
     void create(const Operation& operation);
@@ -63,6 +64,7 @@ private:
     void add(const Operation& operation);
     void remove(const Operation& operation);
     void write(const Operation& operation);
+    void toggle(const Operation& operation);
     void check_one(const Operation& operation);
     void check_dead(const Operation& operation);
     void create_bundle(std::uint32_t bundle, std::uint32_t n);
@@ -84,6 +86,7 @@ private:
     void check_query(const Operation& operation);
     void write_through_query(const Operation& operation);
     void check_versions(const Operation& operation);
+    void check_changed(const Operation& operation);
     void check_versions_of_rows(const Operation& operation);
     void change_while_iterating(const Operation& operation);
 

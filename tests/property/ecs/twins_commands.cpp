@@ -51,9 +51,9 @@ void Twins::record_create(Recording& recording, const Operation& operation) {
         case 0:
             return record_create_with<>(recording, operation.c);
         case 1:
-            return record_create_with<Owner, Anchored, Hidden>(recording, operation.c);
+            return record_create_with<Owner, SparseAnchored, Light>(recording, operation.c);
         case 2:
-            return record_create_with<Parent, Position>(recording, operation.c);
+            return record_create_with<Parent, Position, Burning>(recording, operation.c);
         default:
             return record_create_with<Health, Anchored>(recording, operation.c);
     }
@@ -101,8 +101,7 @@ void Twins::record_remove(Recording& recording, Entity entity, const Operation& 
         recording.effects.emplace_back([this, entity](const Commands& commands) {
             ModelEntity* state = model_.find(real(commands, entity));
             if (state == nullptr || !state->has(part_number<C>())) return false;
-            state->parts[part_number<C>()].reset();
-            state->moved = world_.version();
+            unset(*state, part_number<C>());
             return true;
         });
     });

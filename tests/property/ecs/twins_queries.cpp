@@ -54,6 +54,28 @@ void check_single_write(World& world, Model& model, Entity writing) {
     }
 }
 
+/// Changed hands out all that changed; of a sparse component, nothing else.
+template <class C>
+void check_changed_since(const World& world, Model& model, std::uint32_t seen) {
+    Query<Entity, Changed<C>> query;
+    const std::uint32_t walk = ++walks;
+    std::size_t rows = 0;
+    query.each(world, Since{seen}, [&](Entity handle) {
+        ModelEntity& entity = model.at(handle);
+        expect(entity.has(part_number<C>()), "a part changed that is not there");
+        entity.visited = walk;
+        ++rows;
+        if constexpr (storage_of<C> == Storage::sparse)
+            expect(later(entity.written[part_number<C>()], seen), "a sparse part changed without a write");
+    });
+    expect(query.count(world, Since{seen}) == rows, "a query counts changes wrongly");
+    for (const auto& [key, entity] : model.entities()) {
+        const bool changed = later(entity.written[part_number<C>()], seen) ||
+                             (storage_of<C> == Storage::column && later(entity.moved, seen));
+        expect(!changed || !entity.has(part_number<C>()) || entity.visited == walk, "a change is overlooked");
+    }
+}
+
 template <class F>
 void expect_misuse(F&& call, const char* what) {
     try {
@@ -95,6 +117,14 @@ void Twins::check_versions(const Operation& operation) {
     check_single_write<Health>(world_, model_, *entity);
     check_single_write<Position>(world_, model_, *entity);
     check_single_write<Anchored>(world_, model_, *entity);
+}
+
+void Twins::check_changed(const Operation& operation) {
+    const std::uint32_t seen = world_.version() - operation.a % 40;
+    check_changed_since<Health>(world_, model_, seen);
+    check_changed_since<Line>(world_, model_, seen);
+    check_changed_since<Burning>(world_, model_, seen);
+    check_changed_since<SparseAnchored>(world_, model_, seen);
 }
 
 void Twins::check_versions_of_rows(const Operation& operation) {

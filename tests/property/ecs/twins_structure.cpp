@@ -49,7 +49,9 @@ void Twins::create_bundle(std::uint32_t bundle, std::uint32_t n) {
         case 4:
             return create_with<Hidden>(n);
         case 5:
-            return create_with<Line, Byte, Parent>(n);
+            return create_with<Line, Byte, Parent, Burning>(n);
+        case 6:
+            return create_with<Light, Health, Selected>(n);
         default:
             return create_with<Health, Anchored>(n);
     }
@@ -112,8 +114,7 @@ void Twins::remove(const Operation& operation) {
             return;
         }
         world_.remove<C>(*entity);
-        part.reset();
-        state.moved = world_.version();
+        unset(state, part_number<C>());
     });
 }
 
@@ -133,6 +134,21 @@ void Twins::write(const Operation& operation) {
     });
 }
 
+void Twins::toggle(const Operation& operation) {
+    const std::optional<Entity> entity = target(operation);
+    if (!entity) return;
+    const bool enabled = operation.c % 2 == 0;
+    ModelEntity& state = model_.at(*entity);
+    if (!state.has(part_number<Light>())) {
+        if (operation.b % 16 != 0) return;
+        expect_misuse([&] { world_.set_enabled<Light>(*entity, enabled); }, "a missing part was switched");
+        return;
+    }
+    say((enabled ? "enable Light of " : "disable Light of ") + to_string(*entity));
+    world_.set_enabled<Light>(*entity, enabled);
+    state.disabled[part_number<Light>()] = !enabled;
+}
+
 void Twins::check_one(const Operation& operation) {
     const std::optional<Entity> entity = target(operation);
     if (!entity) return;
@@ -141,6 +157,10 @@ void Twins::check_one(const Operation& operation) {
     with_part(operation.c % k_part_count, [&]<class C>() {
         const std::optional<std::uint64_t>& part = state.parts[part_number<C>()];
         expect(world_.has<C>(*entity) == part.has_value(), "has() agrees");
+        if constexpr (has_enable_bit<C>) {
+            if (part)
+                expect(world_.enabled<C>(*entity) != state.disabled[part_number<C>()], "enabled() agrees");
+        }
         if constexpr (!is_tag<C>) {
             const C* found = world_.try_get<C>(*entity);
             expect((found != nullptr) == part.has_value(), "try_get finds a part");
