@@ -26,13 +26,15 @@ public:
         return mask;
     }
 
-    /// The rows before `count` whose byte is zero. Reads up to the next multiple of 8; bytes are 0 or 1.
+    /// The rows before `count` whose byte, 0 or 1, is zero. Reads up to the next multiple of 8; what stands
+    /// there does not matter.
     [[nodiscard]] static RowMask of_zeros(const std::uint8_t* bytes, std::size_t count) {
         static_assert(std::endian::native == std::endian::little);
         RowMask ones;
         for (std::size_t row = 0; row < count; row += 8) {
             std::uint64_t eight = 0;
             std::memcpy(&eight, bytes + row, 8);
+            eight &= 0x0101010101010101u;  // raw memory behind the last row would carry into the rows before
             // Byte i is worth 2^(8i): times 2^(56−7i) it lands on bit 56 + i, and nothing else lands above.
             ones.words_[row / 64] |= (eight * 0x0102040810204080u >> 56u) << (row % 64);
         }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -29,6 +30,11 @@ TEST(RowMask, OfZerosAgreesWithLookingAtEachByte) {
         for (std::size_t row = 0; row < RowMask::k_rows; ++row)
             ASSERT_EQ(mask.test(row), row < count && bytes[row] == 0) << row << " of " << count;
     }
+}
+
+TEST(RowMask, OfZerosIsNotMovedByWhatStandsBehindTheLastByte) {
+    std::array<std::uint8_t, 8> bytes{0, 1, 0, 0xff, 0xff, 0xff, 0xff, 0xff};
+    EXPECT_EQ(RowMask::of_zeros(bytes.data(), 3).words()[0], 0b101u);
 }
 
 TEST(RowMask, GoesThroughItsRowsInOrder) {
