@@ -24,16 +24,27 @@ public:
     }
 
 private:
-    std::tuple<CheckedQuery<Entity>,
-               CheckedQuery<Entity, Optional<const Health>, Optional<const Position>,
-                            Optional<const Anchored>, Optional<const Owner>, Optional<const Line>,
-                            Optional<const Byte>, Optional<const Parent>>,
-               CheckedQuery<Entity, const Health, const Anchored>, CheckedQuery<Entity, const Position>,
-               CheckedQuery<Entity, With<Frozen>, Without<Health>>,
-               CheckedQuery<Entity, With<Frozen>, With<Hidden>, Optional<const Byte>>,
-               CheckedQuery<Entity, Without<Frozen>, const Owner, Without<Hidden>>,
-               CheckedQuery<Entity, const Line, Without<Parent>>,
-               CheckedQuery<Entity, const Parent, With<Byte>, Optional<const Anchored>>>
+    std::tuple<
+        CheckedQuery<Entity>,
+        CheckedQuery<Entity, Optional<const Health>, Optional<const Position>, Optional<const Anchored>,
+                     Optional<const Owner>, Optional<const Line>, Optional<const Byte>,
+                     Optional<const Parent>>,
+        CheckedQuery<Entity, const Health, const Anchored>, CheckedQuery<Entity, const Position>,
+        CheckedQuery<Entity, With<Frozen>, Without<Health>>,
+        CheckedQuery<Entity, With<Frozen>, With<Hidden>, Optional<const Byte>>,
+        CheckedQuery<Entity, Without<Frozen>, const Owner, Without<Hidden>>,
+        CheckedQuery<Entity, const Line, Without<Parent>>,
+        CheckedQuery<Entity, const Parent, With<Byte>, Optional<const Anchored>>,
+        CheckedQuery<Entity, Optional<const Light>, Optional<const Burning>, Optional<const SparseAnchored>>,
+        CheckedQuery<Entity, const Burning, const Health>, CheckedQuery<Entity, const SparseAnchored>,
+        CheckedQuery<Entity, With<Selected>, Without<Burning>>,
+        CheckedQuery<Entity, Without<Selected>, const Position, With<SparseAnchored>>,
+        CheckedQuery<Entity, AnyOf<Health, Frozen, Line>>,
+        CheckedQuery<Entity, AnyOf<Selected, Byte>, Without<Anchored>>,
+        CheckedQuery<Entity, AnyOf<Burning, Selected>, Optional<const Burning>>,
+        CheckedQuery<Entity, const Light, Enabled<Light>>,
+        CheckedQuery<Entity, Disabled<Light>, Optional<const Light>>,
+        CheckedQuery<Entity, Enabled<Light>, With<Burning>, Without<Frozen>>>
         queries_;
 };
 
