@@ -144,21 +144,27 @@ std::optional<Entity> Twins::target(const Operation& operation) const {
 
 ModelEntity Twins::newborn() const {
     ModelEntity entity;
-    entity.moved = world_.version();
     entity.written.fill(world_.version());
     return entity;
 }
 
 void Twins::set(ModelEntity& entity, std::size_t part, std::uint64_t value) const {
-    if (!entity.has(part) && !k_sparse[part]) entity.moved = world_.version();
     entity.parts[part] = value;
     entity.written[part] = world_.version();
+}
+
+void Twins::settle(ModelEntity& entity) const {
+    std::uint64_t columns = 1;  // of the handle itself
+    for (std::size_t part = 0; part < k_part_count; ++part) {
+        if (entity.has(part) && !k_sparse[part]) columns |= std::uint64_t{2} << part;
+    }
+    if (columns != entity.columns) entity.moved = world_.version();
+    entity.columns = columns;
 }
 
 void Twins::unset(ModelEntity& entity, std::size_t part) const {
     entity.parts[part].reset();
     entity.disabled[part] = false;
-    if (!k_sparse[part]) entity.moved = world_.version();
 }
 
 }  // namespace rambla::ecs::property

@@ -55,6 +55,8 @@ private:
     /// Gives the model's entity a part, or replaces the value it has.
     void set(ModelEntity& entity, std::size_t part, std::uint64_t value) const;
     void unset(ModelEntity& entity, std::size_t part) const;
+    /// Notes whether the changes made to it moved it, at the end of an operation.
+    void settle(ModelEntity& entity) const;
 
     // twins_structure.cpp
     void create(const Operation& operation);

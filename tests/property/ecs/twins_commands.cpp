@@ -137,6 +137,8 @@ void Twins::apply_all() {
         for (const auto& effect : recording.effects)
             ++(effect(*recording.commands) ? applied : dropped);
     }
+    for (auto& [key, entity] : model_.entities())
+        settle(entity);
     expect(playback.applied == applied && playback.dropped == dropped, "what a playback says it did");
 }
 

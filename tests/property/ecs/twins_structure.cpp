@@ -33,6 +33,7 @@ void Twins::create_with(std::uint32_t n) {
     }();
     ModelEntity state = newborn();
     ((state.parts[part_number<Cs>()] = value_of<Cs>(n)), ...);
+    settle(state);
     model_.born(entity, state);
 }
 
@@ -98,6 +99,7 @@ void Twins::add(const Operation& operation) {
         say("add<" + std::string{type_name<C>()} + "> to " + to_string(*entity));
         world_.add(*entity, make_part<C>(operation.c));
         set(model_.at(*entity), part_number<C>(), value_of<C>(operation.c));
+        settle(model_.at(*entity));
     });
 }
 
@@ -115,6 +117,7 @@ void Twins::remove(const Operation& operation) {
         }
         world_.remove<C>(*entity);
         unset(state, part_number<C>());
+        settle(state);
     });
 }
 
