@@ -31,15 +31,16 @@ constexpr std::size_t stagger(std::size_t column) {
 }  // namespace
 
 Archetype::Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector<ComponentId> signature,
-                     std::span<const ComponentInfo* const> infos)
+                     std::span<const ComponentInfo* const> infos, std::vector<const SharedValue*> shared)
     : storage_{storage},
       index_{index},
       signature_{std::move(signature)},
+      shared_{std::move(shared)},
       rows_version_{storage.oldest_version} {
     if (signature_.empty()) return;
     column_of_.assign(signature_.back() + std::size_t{1}, k_no_column);
     for (std::size_t i = 0; i < signature_.size(); ++i) {
-        const bool tag = infos[i]->size == 0;
+        const bool tag = infos[i]->size == 0 || infos[i]->storage == Storage::shared;
         column_of_[signature_[i]] = tag ? k_tag_column : static_cast<ColumnIndex>(columns_.size());
         if (tag) continue;
         columns_.push_back({nullptr, infos[i], infos[i]->size, signature_[i], infos[i]->relocate == nullptr});
@@ -93,11 +94,11 @@ void Archetype::age_versions(std::uint32_t oldest) noexcept {
 }
 
 std::size_t Archetype::memory_bytes() const {
-    std::size_t bytes = sizeof(Archetype) + columns_.capacity() * sizeof(Column) +
-                        column_of_.capacity() * sizeof(ColumnIndex) +
-                        signature_.capacity() * sizeof(ComponentId) +
-                        reserved_.capacity() * sizeof(ReservedMemory) +
-                        (versions_.capacity() + latest_.capacity()) * sizeof(std::uint32_t);
+    std::size_t bytes =
+        sizeof(Archetype) + columns_.capacity() * sizeof(Column) +
+        column_of_.capacity() * sizeof(ColumnIndex) + signature_.capacity() * sizeof(ComponentId) +
+        shared_.capacity() * sizeof(const SharedValue*) + reserved_.capacity() * sizeof(ReservedMemory) +
+        (versions_.capacity() + latest_.capacity()) * sizeof(std::uint32_t);
     for (const ReservedMemory& memory : reserved_)
         bytes += memory.committed_bytes();
     return bytes;

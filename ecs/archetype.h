@@ -10,6 +10,7 @@
 #include "ecs/component.h"
 #include "ecs/memory.h"
 #include "ecs/relocate.h"
+#include "ecs/shared_values.h"
 #include "ecs/version.h"
 
 namespace rambla::ecs {
@@ -27,8 +28,9 @@ inline constexpr std::uint32_t k_row_padding = 16;
 inline constexpr std::uint32_t k_pooled_rows = 256;
 
 using ColumnIndex = std::uint16_t;
-inline constexpr ColumnIndex k_no_column = 0xffff;   ///< the archetype lacks the component
-inline constexpr ColumnIndex k_tag_column = 0xfffe;  ///< it has it, but tags take no column
+inline constexpr ColumnIndex k_no_column = 0xffff;  ///< the archetype lacks the component
+/// It has it, but tags and shared values take no column.
+inline constexpr ColumnIndex k_tag_column = 0xfffe;
 
 namespace detail {
 struct BulkRows;
@@ -43,7 +45,8 @@ struct ArchetypeStorage {
     bool reserves = true;  ///< grow in place above k_pooled_rows; else in blocks, whose rows then move
 };
 
-/// All entities with the same set of components: one column per component, one row per entity, without gaps.
+/// All entities with the same set of components and the same shared values: one column per component, one row
+/// per entity, without gaps.
 ///
 ///     row        0        1        2      …  1023 │ 1024 …        a chunk is 1024 rows of all columns
 ///     Entity   [e][e][e][e][e][e][e][e][e] …      │ [e] …
@@ -83,8 +86,9 @@ public:
 
     /// @param signature   component numbers, ascending, without doubles
     /// @param infos       what they are, in the same order
+    /// @param shared      values of those that are shared, in the same order
     Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector<ComponentId> signature,
-              std::span<const ComponentInfo* const> infos);
+              std::span<const ComponentInfo* const> infos, std::vector<const SharedValue*> shared);
     ~Archetype();
     Archetype(const Archetype&) = delete;
     Archetype& operator=(const Archetype&) = delete;
@@ -95,6 +99,15 @@ public:
     [[nodiscard]] std::span<const ComponentId> signature() const { return signature_; }
     [[nodiscard]] std::span<const Column> columns() const { return columns_; }
     [[nodiscard]] const Entity* entities() const { return entities_; }
+    /// Values of the shared components, by ascending component numbers.
+    [[nodiscard]] std::span<const SharedValue* const> shared() const { return shared_; }
+    /// Null if the archetype lacks the shared component.
+    [[nodiscard]] const SharedValue* shared(ComponentId component) const {
+        for (const SharedValue* value : shared_) {
+            if (value->component == component) return value;
+        }
+        return nullptr;
+    }
 
     [[nodiscard]] ColumnIndex column_of(ComponentId component) const {
         return component < column_of_.size() ? column_of_[component] : k_no_column;
@@ -198,6 +211,7 @@ private:
     std::vector<Column> columns_;
     std::vector<ColumnIndex> column_of_;  ///< by component number
     std::vector<ComponentId> signature_;
+    std::vector<const SharedValue*> shared_;
     std::uint32_t version_stride_ = 1;      ///< columns and one
     std::uint32_t rows_version_;            ///< latest of rows coming and going
     bool ends_quietly_ = true;              ///< no component has a destructor to call

@@ -18,11 +18,13 @@ constexpr std::uint32_t usable_max_rows(std::uint32_t rows) {
     return (bounded + k_row_padding - 1) / k_row_padding * k_row_padding;
 }
 
-/// FNV-1a over the component numbers.
-std::uint64_t hash_of(std::span<const ComponentId> signature) {
+/// FNV-1a over the numbers of components and values.
+std::uint64_t hash_of(std::span<const ComponentId> signature, std::span<const SharedValue* const> shared) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (ComponentId component : signature)
         hash = (hash ^ component) * 0x100000001b3u;
+    for (const SharedValue* value : shared)
+        hash = (hash ^ value->number) * 0x100000001b3u;
     return hash;
 }
 
@@ -38,7 +40,7 @@ ArchetypeGraph::ArchetypeGraph(std::uint32_t max_rows, bool reserves, std::uint3
     storage_.oldest_version = oldest_version;
     storage_.max_rows = usable_max_rows(max_rows);
     storage_.reserves = reserves && ReservedMemory::grows_in_place;
-    make({});
+    make({}, {});
 }
 
 ComponentId ArchetypeGraph::component(const ComponentInfo& info) {
@@ -48,17 +50,31 @@ ComponentId ArchetypeGraph::component(const ComponentInfo& info) {
         component(*info.companion);
         has_companions_ = true;
     }
+    has_shared_ = has_shared_ || info.storage == Storage::shared;
     if (infos_.size() == k_max_components) detail::throw_full("kinds of components", k_max_components);
     if (ids_.size() <= info.type_index) ids_.resize(info.type_index + std::size_t{1}, k_no_component);
     infos_.push_back(&info);
     return ids_[info.type_index] = static_cast<ComponentId>(infos_.size() - 1);
 }
 
-Archetype& ArchetypeGraph::with_signature(std::span<ComponentId> signature) {
+Archetype& ArchetypeGraph::with_signature(std::span<ComponentId> signature,
+                                          std::span<const SharedValue* const> shared) {
     std::sort(signature.begin(), signature.end());
+    if (has_shared_) require_values(signature, shared);
     const std::span<const ComponentId> whole = has_companions_ ? with_companions(signature) : signature;
-    Archetype* found = find(whole);
-    return found != nullptr ? *found : make(whole);
+    Archetype* found = find(whole, shared);
+    return found != nullptr ? *found : make(whole, shared);
+}
+
+void ArchetypeGraph::require_values(std::span<const ComponentId> signature,
+                                    std::span<const SharedValue* const> shared) const {
+    auto value = shared.begin();
+    for (ComponentId component : signature) {
+        if (infos_[component]->storage != Storage::shared) continue;
+        if (value == shared.end() || (*value)->component != component)
+            detail::throw_no_shared_value(infos_[component]->name);
+        ++value;
+    }
 }
 
 std::span<const ComponentId> ArchetypeGraph::with_companions(std::span<const ComponentId> signature) {
@@ -82,13 +98,16 @@ Archetype& ArchetypeGraph::toggled(Archetype& from, ComponentId component) {
     const auto known = edge_of(edges, component);
     if (known != edges.end() && known->component == component) return *archetypes_[known->archetype];
 
-    std::vector<ComponentId> signature{from.signature().begin(), from.signature().end()};
+    neighbour_.assign(from.signature().begin(), from.signature().end());
+    neighbours_values_.assign(from.shared().begin(), from.shared().end());
     if (from.has(component)) {
-        signature.erase(std::find(signature.begin(), signature.end(), component));
+        std::erase(neighbour_, component);
+        std::erase_if(neighbours_values_,
+                      [&](const SharedValue* value) { return value->component == component; });
     } else {
-        signature.push_back(component);
+        neighbour_.push_back(component);
     }
-    Archetype& to = with_signature(signature);
+    Archetype& to = with_signature(neighbour_, neighbours_values_);
     const auto link = [&](const Archetype& a, const Archetype& b) {
         std::vector<Edge>& edges_of_a = edges_[a.index()];
         const auto place = edge_of(edges_of_a, component);
@@ -96,8 +115,20 @@ Archetype& ArchetypeGraph::toggled(Archetype& from, ComponentId component) {
         if (!linked) edges_of_a.insert(place, {component, b.index()});
     };
     link(from, to);
-    link(to, from);
+    if (infos_[component]->storage != Storage::shared) link(to, from);  // the way back depends on the value
     return to;
+}
+
+Archetype& ArchetypeGraph::sharing(Archetype& from, const SharedValue& value) {
+    neighbour_.assign(from.signature().begin(), from.signature().end());
+    if (!from.has(value.component)) neighbour_.push_back(value.component);
+    neighbours_values_.assign(from.shared().begin(), from.shared().end());
+    std::erase_if(neighbours_values_,
+                  [&](const SharedValue* other) { return other->component == value.component; });
+    const auto place = std::ranges::find_if(
+        neighbours_values_, [&](const SharedValue* other) { return other->component > value.component; });
+    neighbours_values_.insert(place, &value);
+    return with_signature(neighbour_, neighbours_values_);
 }
 
 void ArchetypeGraph::age_versions(std::uint32_t oldest) noexcept {
@@ -112,7 +143,7 @@ std::size_t ArchetypeGraph::memory_bytes() const {
     constexpr std::size_t k_map_node_bytes =
         sizeof(std::pair<std::uint64_t, std::uint32_t>) + 2 * sizeof(void*);
     std::size_t bytes =
-        storage_.pool.memory_bytes() + sparse_.memory_bytes() +
+        storage_.pool.memory_bytes() + sparse_.memory_bytes() + shared_.memory_bytes() +
         infos_.capacity() * sizeof(const ComponentInfo*) + ids_.capacity() * sizeof(ComponentId) +
         archetypes_.capacity() * sizeof(std::unique_ptr<Archetype>) +
         edges_.capacity() * sizeof(std::vector<Edge>) + by_signature_.bucket_count() * sizeof(void*) +
@@ -124,25 +155,30 @@ std::size_t ArchetypeGraph::memory_bytes() const {
     return bytes;
 }
 
-Archetype* ArchetypeGraph::find(std::span<const ComponentId> signature) const {
-    const auto [first, last] = by_signature_.equal_range(hash_of(signature));
+Archetype* ArchetypeGraph::find(std::span<const ComponentId> signature,
+                                std::span<const SharedValue* const> shared) const {
+    const auto [first, last] = by_signature_.equal_range(hash_of(signature, shared));
     for (auto entry = first; entry != last; ++entry) {
         Archetype& archetype = *archetypes_[entry->second];
-        if (std::ranges::equal(archetype.signature(), signature)) return &archetype;
+        if (std::ranges::equal(archetype.signature(), signature) &&
+            std::ranges::equal(archetype.shared(), shared))
+            return &archetype;
     }
     return nullptr;
 }
 
-Archetype& ArchetypeGraph::make(std::span<const ComponentId> signature) {
+Archetype& ArchetypeGraph::make(std::span<const ComponentId> signature,
+                                std::span<const SharedValue* const> shared) {
     const auto index = static_cast<std::uint32_t>(archetypes_.size());
     std::vector<const ComponentInfo*> infos;
     for (ComponentId component : signature)
         infos.push_back(infos_[component]);
     auto archetype = std::make_unique<Archetype>(
-        storage_, index, std::vector<ComponentId>{signature.begin(), signature.end()}, infos);
+        storage_, index, std::vector<ComponentId>{signature.begin(), signature.end()}, infos,
+        std::vector<const SharedValue*>{shared.begin(), shared.end()});
     reserve_one(archetypes_);
     reserve_one(edges_);
-    by_signature_.emplace(hash_of(signature), index);
+    by_signature_.emplace(hash_of(signature, shared), index);
     edges_.emplace_back();
     archetypes_.push_back(std::move(archetype));
     return *archetypes_.back();

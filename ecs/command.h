@@ -35,7 +35,7 @@ struct CommandType {
     CommandKind kind;
     bool holds_entities;  ///< some part must be resolved
     bool values_end;      ///< some part has a destructor to call
-    bool sparse;          ///< some part is stored sparse
+    bool beside_columns;  ///< some part is stored sparse or shared
     std::span<const CommandPart> parts;
 };
 
@@ -54,6 +54,9 @@ void resolve_members(CreatedEntities created, void* value) {
 
 template <class C>
 CommandPart command_part(std::size_t offset) {
+    static_assert(
+        storage_of<C> != Storage::shared || !requires { entity_members<C>::value; },
+        "a shared value is known before placeholders are");
     CommandPart part{&component_info<C>(), static_cast<std::uint32_t>(offset), nullptr};
     if constexpr (requires { entity_members<C>::value; }) part.resolve = &resolve_members<C>;
     return part;
@@ -94,7 +97,7 @@ const CommandType& command_type() {
     static const CommandType type = [] {
         CommandType result{Kind, false, false, false, parts};
         for (const CommandPart& part : parts) {
-            result.sparse = result.sparse || part.info->storage == Storage::sparse;
+            result.beside_columns = result.beside_columns || part.info->storage != Storage::column;
             if (Kind == CommandKind::remove) continue;
             result.holds_entities = result.holds_entities || part.resolve != nullptr;
             result.values_end = result.values_end || part.info->destroy != nullptr;

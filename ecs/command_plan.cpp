@@ -135,7 +135,7 @@ void CommandPlan::fold(const Section& section) {
         const auto first_write = static_cast<std::uint32_t>(writes_.size());
         Fate fate;
         const CommandType& type = *commands_[items[i].command].type;
-        if (end == i + 1 && from != nullptr && !type.sparse) {
+        if (end == i + 1 && from != nullptr && !type.beside_columns) {
             fate = fold_single(*from, commands_[items[i].command], repeat);
         } else {
             fate = fold_run(from, items.subspan(i, end - i));
@@ -202,6 +202,10 @@ CommandPlan::Fate CommandPlan::fold_run(Archetype* from, std::span<const RowComm
             }
             const ComponentId component = graph_->component(*part.info);
             const bool held = at->has(component);
+            if (part.info->storage == Storage::shared && command.type->kind != CommandKind::remove) {
+                at = &graph_->sharing(*at, graph_->intern(*part.info, command.values + part.offset));
+                continue;
+            }
             if (command.type->kind == CommandKind::remove) {
                 if (held) {
                     at = &toggled(*at, component);
@@ -274,7 +278,7 @@ Archetype& CommandPlan::bundle(const CommandType& type) {
     if (known == nullptr) {
         signature_.clear();
         for (const CommandPart& part : type.parts) {
-            if (part.info->storage != Storage::sparse) signature_.push_back(graph_->component(*part.info));
+            if (part.info->storage == Storage::column) signature_.push_back(graph_->component(*part.info));
         }
         known = &graph_->with_signature(signature_);
     }

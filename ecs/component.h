@@ -3,6 +3,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <type_traits>
@@ -117,6 +119,9 @@ struct ComponentInfo {
     /// Its EnableState, which is in an archetype exactly if the component is; null without an enable bit.
     const ComponentInfo* companion = nullptr;
     bool is_companion = false;  ///< an EnableState: new rows begin as zero, not as raw memory
+    /// Of shared components; see SharedValues.
+    bool (*equal)(const void* a, const void* b) = nullptr;
+    std::uint64_t (*hash)(const void* value) = nullptr;
 };
 
 namespace detail {
@@ -154,10 +159,47 @@ const ComponentInfo* companion_of() {
     return nullptr;
 }
 
+template <class C>
+bool shared_values_equal(const void* a, const void* b) {
+    if constexpr (requires(const C& value) { bool(value == value); }) {
+        if (*static_cast<const C*>(a) == *static_cast<const C*>(b)) return true;
+    } else {
+        static_assert(std::has_unique_object_representations_v<C>, "shared values need an operator==");
+    }
+    return std::memcmp(a, b, sizeof(C)) == 0;
+}
+
+/// Equal values must have equal hashes: of its bytes only where these are all that tells values apart. Where
+/// nothing is known all values share one hash, and are compared one by one.
+template <class C>
+std::uint64_t shared_value_hash([[maybe_unused]] const void* value) {
+    if constexpr (requires(const C& c) { component_options<C>::hash(c); }) {
+        return component_options<C>::hash(*static_cast<const C*>(value));
+    } else if constexpr (std::has_unique_object_representations_v<C>) {
+        return std::hash<std::string_view>{}({static_cast<const char*>(value), sizeof(C)});
+    } else {
+        return 0;
+    }
+}
+
+template <class C>
+constexpr auto equal_of() -> bool (*)(const void*, const void*) {
+    if constexpr (storage_of<C> == Storage::shared) return &shared_values_equal<C>;
+    return nullptr;
+}
+
+template <class C>
+constexpr auto hash_of() -> std::uint64_t (*)(const void*) {
+    if constexpr (storage_of<C> == Storage::shared) return &shared_value_hash<C>;
+    return nullptr;
+}
+
 }  // namespace detail
 
 template <Component C>
 const ComponentInfo& component_info() {
+    static_assert(storage_of<C> != Storage::shared || std::is_trivially_copyable_v<C>,
+                  "shared values are copied by their bytes");
     static_assert(storage_of<C> == Storage::column || !(has_enable_bit<C> || has_row_mask<C>),
                   "only columns have enable bits and row masks");
     static_assert(!is_tag<C> || !(has_enable_bit<C> || has_row_mask<C>),
@@ -173,7 +215,9 @@ const ComponentInfo& component_info() {
         .storage = storage_of<C>,
         .row_mask = has_row_mask<C>,
         .companion = detail::companion_of<C>(),
-        .is_companion = detail::k_is_enable_state<C>};
+        .is_companion = detail::k_is_enable_state<C>,
+        .equal = detail::equal_of<C>(),
+        .hash = detail::hash_of<C>()};
     return info;
 }
 

@@ -17,8 +17,10 @@ enum class Storage : std::uint8_t {
 ///         static constexpr Storage storage = Storage::sparse;  // default: column
 ///         static constexpr bool enable_bit = true;             // columns only: World::set_enabled
 ///         static constexpr bool row_mask = true;               // columns only: Chunk::changed_rows
-///         static std::uint64_t hash(const Selected&);          // shared only: equal values, equal hashes
-///     };
+///         static std::uint64_t hash(const Selected&);          // shared only: finds a value among many;
+///     };                                                       // equal values have equal hashes
+/// Without a hash the bytes are hashed of types whose every bit is value (no floats, no padding), whose
+/// operator== must not ignore any; other types' values are compared one by one.
 template <class C>
 struct component_options {};
 

@@ -24,6 +24,10 @@ void throw_missing(std::string_view operation, std::string_view component, Entit
     throw Misuse{call(operation, component) + ": entity " + to_string(entity) + " has no such component"};
 }
 
+void throw_no_shared_value(std::string_view component) {
+    throw Misuse{call("archetype", component) + ": a shared component needs a value"};
+}
+
 void throw_no_resource(std::string_view resource) {
     throw Misuse{call("resource", resource) + ": never set in this world"};
 }

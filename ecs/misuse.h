@@ -32,6 +32,7 @@ namespace detail {
 /// `operation` is the call as written, without the component: "get"; `component` may be empty.
 [[noreturn]] void throw_not_alive(std::string_view operation, std::string_view component, Entity entity);
 [[noreturn]] void throw_missing(std::string_view operation, std::string_view component, Entity entity);
+[[noreturn]] void throw_no_shared_value(std::string_view component);
 [[noreturn]] void throw_no_resource(std::string_view resource);
 [[noreturn]] void throw_iterating(std::string_view operation);
 /// `thing` is what the system did without declaring it: "reads component Position".

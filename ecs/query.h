@@ -143,6 +143,7 @@ private:
 ///     Entity                     span<const Entity>
 ///     const C, C                 span<const C>, span<C>; what is not const counts as written
 ///     Optional<const C>, <C>     the same where C is there, else an empty span
+///     Shared<C>                  const C&, one for the chunk
 ///     With, Without, AnyOf, Changed, Enabled, Disabled      only filter
 /// A sparse component is handed out as a SparseView instead of a span. Where sparse components, Enabled or
 /// Disabled tell rows apart, chunks are FilteredChunks: only the rows in their rows() match.

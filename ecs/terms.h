@@ -17,6 +17,10 @@ namespace rambla::ecs {
 template <class C>
 struct Optional {};
 
+/// Query term: the value of a shared component, as const C&. Entities of a chunk have it in common.
+template <class C>
+struct Shared {};
+
 namespace detail {
 
 enum class Need { always, required, optional, excluded };
@@ -151,6 +155,23 @@ struct Term<Optional<T>> : std::conditional_t<storage_of<std::remove_const_t<T>>
     static_assert(Component<std::remove_const_t<T>> && !is_tag<std::remove_const_t<T>> &&
                       storage_of<std::remove_const_t<T>> != Storage::shared,
                   "Optional takes a component with a value of its own");
+};
+
+template <class C>
+struct Term<Shared<C>> : TermDefaults {
+    static_assert(storage_of<std::remove_const_t<C>> == Storage::shared,
+                  "Shared takes a component whose storage is shared");
+    using Part = std::remove_const_t<C>;
+    using Column = Part;
+    using Cursor = const Part*;
+    static constexpr Need need = Need::required;
+    static constexpr bool handed_out = true;
+
+    static Cursor cursor(const ChunkPlace& place) {
+        return &place.archetype.shared(place.graph.find_component(type_index<Part>()))->template as<Part>();
+    }
+    static const Part& view(Cursor value, std::size_t) { return *value; }
+    static const Part& argument(Cursor value, std::size_t) { return *value; }
 };
 
 /// The terms that hand something out, in their order, as the parameters of `Target`.

@@ -39,6 +39,7 @@ void* World::slot_for(Entity entity, const ComponentInfo& info) {
     if (record == nullptr) detail::throw_not_alive("add", info.name, entity);
     if (info.storage == Storage::sparse) return sparse_slot_for(entity, info);
     if (info.is_companion) detail::throw_missing("add", info.name, entity);
+    if (info.storage == Storage::shared) detail::throw_no_shared_value(info.name);
     const ComponentId component = graph_.component(info);
     Archetype& from = graph_[record->archetype];
     if (!from.has(component)) {
@@ -60,6 +61,15 @@ void* World::sparse_slot_for(Entity entity, const ComponentInfo& info) {
     if (info.destroy != nullptr) info.destroy(set.value(place), 1);
     set.stamp(place, version_);
     return set.value(place);
+}
+
+void World::share(Entity entity, const ComponentInfo& info, const void* value) {
+    detail::IterationMark::forbid(*this, "add");
+    EntityRecord* record = entities_.find(entity);
+    if (record == nullptr) detail::throw_not_alive("add", info.name, entity);
+    Archetype& from = graph_[record->archetype];
+    Archetype& to = graph_.sharing(from, graph_.intern(info, value));
+    if (&to != &from) move(*record, to);
 }
 
 void World::take_away(Entity entity, const ComponentInfo& info) {

@@ -183,6 +183,7 @@ private:
     /// Where to construct the component: raw memory, null for tags. Moves the entity, or ends the old value.
     void* slot_for(Entity entity, const ComponentInfo& info);
     void* sparse_slot_for(Entity entity, const ComponentInfo& info);
+    void share(Entity entity, const ComponentInfo& info, const void* value);
     void take_away(Entity entity, const ComponentInfo& info);
     /// Whether a living entity has the component, whatever its storage.
     [[nodiscard]] bool holds(Entity entity, const EntityRecord& record, const ComponentInfo& info) const;
@@ -190,6 +191,9 @@ private:
     Archetype& move(EntityRecord& record, Archetype& to);
     template <class C>
     static void construct(Archetype& archetype, ColumnIndex column, std::uint32_t row, C& value) noexcept;
+    /// Where entities of this archetype go with the value if it is shared; else the archetype itself.
+    template <class C>
+    Archetype* with_shared(Archetype* archetype, const C& value);
     template <class C>
     void construct_sparse(Entity entity, C& value);
     template <class C>
@@ -235,7 +239,7 @@ const World::BundlePlace& World::make_bundle_place(std::uint32_t bundle) {
     std::array<ComponentId, sizeof...(Cs)> signature{};
     std::size_t next = 0;
     const auto one = [&](ComponentId component) {
-        if (graph_.info(component).storage != Storage::sparse) signature[next++] = component;
+        if (graph_.info(component).storage == Storage::column) signature[next++] = component;
     };
     std::ranges::for_each(as_listed, one);
     Archetype& archetype = graph_.with_signature(std::span{signature}.first(next));
@@ -255,6 +259,13 @@ void World::construct(Archetype& archetype, ColumnIndex column, std::uint32_t ro
 }
 
 template <class C>
+Archetype* World::with_shared(Archetype* archetype, const C& value) {
+    if constexpr (storage_of<C> == Storage::shared)
+        return &graph_.sharing(*archetype, graph_.intern(component_info<C>(), &value));
+    return archetype;
+}
+
+template <class C>
 void World::construct_sparse(Entity entity, C& value) {
     if constexpr (storage_of<C> == Storage::sparse) {
         void* slot = sparse_slot_for(entity, component_info<C>());
@@ -267,9 +278,12 @@ requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
     (detail::explain_component<Cs>(), ...);
     static_assert(detail::k_all_differ<Cs...>, "an entity has each component once");
     const BundlePlace& place = bundle_place<Cs...>();
-    const Created created = create_in(*place.archetype);
+    Archetype* archetype = place.archetype;
+    // Shared values lead to a sibling, which has the same columns.
+    ((archetype = with_shared(archetype, values)), ...);
+    const Created created = create_in(*archetype);
     const ColumnIndex* column = place.columns.get();
-    (construct(*place.archetype, *column++, created.row, values), ...);
+    (construct(*archetype, *column++, created.row, values), ...);
     if constexpr (((storage_of<Cs> == Storage::sparse) || ...)) {
         try {
             (construct_sparse(created.entity, values), ...);
@@ -284,6 +298,7 @@ requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
 template <Component C>
 void World::add(Entity entity, C value) {
     static_assert(!detail::k_is_enable_state<C>, "an EnableState comes with its component");
+    if constexpr (storage_of<C> == Storage::shared) return share(entity, component_info<C>(), &value);
     void* slot = slot_for(entity, component_info<C>());
     if constexpr (!is_tag<C>) std::construct_at(static_cast<C*>(slot), std::move(value));
 }
@@ -332,6 +347,10 @@ const C* World::find(std::string_view operation, Entity entity) const {
         return place == SparseSet::k_none ? nullptr : reinterpret_cast<C*>(sparse_set<C>()->value(place));
     }
     const Archetype& archetype = graph_[record.archetype];
+    if constexpr (storage_of<C> == Storage::shared) {
+        const SharedValue* value = archetype.shared(graph_.find_component(type_index<C>()));
+        return value == nullptr ? nullptr : &value->as<C>();
+    }
     const ColumnIndex column = archetype.column_of(graph_.find_component(type_index<C>()));
     if (column == k_no_column) return nullptr;
     return reinterpret_cast<const C*>(archetype.columns()[column].base) + record.row;
@@ -340,6 +359,7 @@ const C* World::find(std::string_view operation, Entity entity) const {
 template <class C>
 C* World::find_mut(std::string_view operation, Entity entity) {
     static_assert(!is_tag<C>, "a tag has no value: ask has<C>()");
+    static_assert(storage_of<C> != Storage::shared, "others have this value too: add() another");
     detail::AccessScope::check<C>(*this, AccessKind::component, true);
     const EntityRecord& record = record_of<C>(operation, entity);
     if constexpr (storage_of<C> == Storage::sparse) {

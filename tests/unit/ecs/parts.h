@@ -77,6 +77,16 @@ struct Light {
     float lux = 0.0f;
 };
 
+/// Common to all entities of an archetype.
+struct Material {
+    std::uint32_t number = 0;
+};
+struct Tint {  ///< with padding, and parts that compare in their own way
+    std::uint8_t kind = 0;
+    double strength = 0.0;
+    bool operator==(const Tint&) const = default;
+};
+
 /// Many distinct components.
 template <int N>
 struct Part {
@@ -100,6 +110,16 @@ struct rambla::ecs::component_options<rambla::ecs::test::Selected> {
 template <>
 struct rambla::ecs::component_options<rambla::ecs::test::Light> {
     static constexpr bool enable_bit = true;
+};
+
+template <>
+struct rambla::ecs::component_options<rambla::ecs::test::Material> {
+    static constexpr Storage storage = Storage::shared;
+};
+template <>
+struct rambla::ecs::component_options<rambla::ecs::test::Tint> {
+    static constexpr Storage storage = Storage::shared;
+    static std::uint64_t hash(const rambla::ecs::test::Tint& tint) { return tint.kind; }
 };
 
 template <>
