@@ -43,10 +43,12 @@ function(rambla_include_tree target room)
   endif()
 endfunction()
 
-# rambla_room(ROOM PUBLIC target... PRIVATE target...): the library rambla_ROOM from all sources of this folder.
+# rambla_room(ROOM PUBLIC target... PRIVATE target...): the library rambla_ROOM from all sources of this folder but
+# example.cpp, a program that shows its use.
 function(rambla_room room)
   cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/example\\.cpp$")
   add_library(rambla_${room} STATIC ${sources})
   rambla_include_tree(rambla_${room} ${room})
   target_link_libraries(rambla_${room} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} rambla_options)
