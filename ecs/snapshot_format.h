@@ -15,6 +15,7 @@ namespace rambla::ecs::detail {
 ///     archetypes  u32 known before (the empty one in a snapshot), then new ones: u16 component numbers
 ///     rows        archetypes with changes: u32 archetype, u32 rows, runs and entities, then for each column
 ///                 with values its runs and values; a run is u32 first row, u32 rows
+///     sparse      sets with changes: u32 component, u32 entities, entities, values
 ///     slots       u32 slots, u32 free ones kept (those used last), new free ones (index, generation; the one
 ///                 used last first), new retired ones (index)
 ///     resources   name, schema, u8 there, fields
@@ -33,5 +34,7 @@ inline constexpr std::size_t k_checksum_bytes = 8;
 inline constexpr std::uint8_t k_tag_flag = 1;
 /// Of a component: its values are not in the stream.
 inline constexpr std::uint8_t k_transient_flag = 2;
+/// Of a component: in a sparse set, not in archetypes.
+inline constexpr std::uint8_t k_sparse_flag = 4;
 
 }  // namespace rambla::ecs::detail

@@ -40,7 +40,10 @@ public:
         const std::uint32_t count = in_.count(k_least_rows_bytes);
         for (std::uint32_t i = 0; i < count; ++i)
             parse_rows();
+        const std::size_t sparse_at = in_.offset();
+        parse_sparse();
         parse_slots();
+        check_sparse(parsed_, world_, sparse_at);
         parse_resources();
         if (in_.left() != 0) fail(std::to_string(in_.left()) + " bytes more", "the end");
     }
@@ -49,6 +52,7 @@ private:
     static constexpr std::size_t k_least_component_bytes = 13;
     static constexpr std::size_t k_least_rows_bytes = 12;
     static constexpr std::size_t k_run_bytes = 8;
+    static constexpr std::size_t k_least_sparse_bytes = 8;
 
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const {
         throw SnapshotError{in_.offset(), found, expected};
@@ -84,18 +88,19 @@ private:
             if (type != nullptr && other.type == type)
                 throw SnapshotError{at, "component " + quoted(name), "each component once"};
         }
-        const bool has_values = flags == 0;
+        const bool has_values = (flags & (k_tag_flag | k_transient_flag)) == 0;
         const bool converts = has_values && type != nullptr;
         const TypeRegistry::Migration* migration = registry_.migration(name, schema.version);
         parsed_.components.push_back(
-            {type, has_values,
+            {type, has_values, (flags & k_sparse_flag) != 0,
              RowDecoder{std::move(schema), converts ? type->description : nullptr, migration, at}});
     }
 
     static void check_component(const ComponentType& type, std::uint8_t flags, const ComponentInfo* known,
                                 std::size_t at) {
-        const auto wanted = static_cast<std::uint8_t>((type.info->size == 0 ? k_tag_flag : 0) |
-                                                      (type.transient() ? k_transient_flag : 0));
+        const auto wanted = static_cast<std::uint8_t>(
+            (type.info->size == 0 ? k_tag_flag : 0) | (type.transient() ? k_transient_flag : 0) |
+            (type.info->storage == Storage::sparse ? k_sparse_flag : 0));
         if (flags != wanted) {
             throw SnapshotError{at, quoted(type.name) + " with flags " + std::to_string(flags),
                                 "flags " + std::to_string(wanted)};
@@ -125,8 +130,33 @@ private:
                 fail("an archetype of doubled, unsorted or unknown components",
                      "ascending numbers below " + std::to_string(parsed_.components.size()));
             }
+            check_signature(signature);
             if (!signatures.insert(signature).second) fail("the same archetype again", "each once");
             parsed_.archetypes.push_back(std::move(signature));
+        }
+    }
+
+    /// No sparse components, and EnableStates exactly where their components are.
+    void check_signature(const std::vector<ComponentId>& signature) const {
+        const auto has = [&](const auto& wanted) {
+            return std::any_of(signature.begin(), signature.end(), [&](ComponentId component) {
+                const ComponentType* type = parsed_.components[component].type;
+                return type != nullptr && wanted(*type->info);
+            });
+        };
+        for (const ComponentId component : signature) {
+            if (parsed_.components[component].sparse) fail("a sparse component in an archetype", "none");
+            const ComponentType* type = parsed_.components[component].type;
+            if (type == nullptr) continue;
+            const ComponentInfo& info = *type->info;
+            const auto is_companion = [&](const ComponentInfo& other) {
+                return &other == info.companion;
+            };
+            const auto is_owner = [&](const ComponentInfo& other) {
+                return other.companion == &info;
+            };
+            if ((info.companion != nullptr && !has(is_companion)) || (info.is_companion && !has(is_owner)))
+                fail(quoted(type->name) + " on its own", "a component and its enable bits together");
         }
     }
 
@@ -182,6 +212,25 @@ private:
             fail("runs up to row " + std::to_string(end), "up to " + std::to_string(rows));
         }
         return runs;
+    }
+
+    void parse_sparse() {
+        const std::uint32_t count = in_.count(k_least_sparse_bytes);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            ParsedStream::Sparse set{};
+            set.component = in_.number<std::uint32_t>();
+            const bool ascending = parsed_.sparse.empty() || parsed_.sparse.back().component < set.component;
+            if (!ascending || set.component >= parsed_.components.size() ||
+                !parsed_.components[set.component].sparse) {
+                fail("a sparse set of component " + std::to_string(set.component),
+                     "ascending numbers of sparse components");
+            }
+            set.size = in_.count(sizeof(Entity));
+            set.entities = in_.take(set.size * sizeof(Entity));
+            const ParsedStream::Component& stored = parsed_.components[set.component];
+            if (stored.has_values) set.values = stored.decoder.take_valid(in_, set.size);
+            parsed_.sparse.push_back(set);
+        }
     }
 
     void parse_slots() {

@@ -29,6 +29,7 @@ struct ParsedStream {
     struct Component {
         const ComponentType* type;  ///< null: left out
         bool has_values;            ///< in the stream
+        bool sparse;
         RowDecoder decoder;
     };
     struct Run {
@@ -47,6 +48,13 @@ struct ParsedStream {
         std::vector<Run> entities;
         std::vector<Column> columns;
     };
+    /// A sparse set that changed.
+    struct Sparse {
+        std::uint32_t component;  ///< number in the stream
+        std::uint32_t size;
+        std::span<const std::byte> entities;
+        std::span<const std::byte> values;
+    };
     struct Resource {
         const ResourceType* type;
         RowDecoder decoder;
@@ -58,6 +66,7 @@ struct ParsedStream {
     std::uint32_t known_archetypes = 1;
     std::vector<std::vector<ComponentId>> archetypes;  ///< new ones
     std::vector<Rows> rows;
+    std::vector<Sparse> sparse;
     std::uint32_t slots = 0;
     std::uint32_t free_kept = 0;
     std::vector<Entity> free;            ///< new ones; the one used last first
@@ -80,5 +89,8 @@ struct ParsedStream {
 /// Checks that afterwards every slot is exactly one living entity, free, or retired.
 /// @param offset  of what the stream says of slots
 void check_slots(const ParsedStream& parsed, const World& world, std::size_t offset);
+
+/// Checks that afterwards the sparse sets hold living entities only, each once.
+void check_sparse(const ParsedStream& parsed, const World& world, std::size_t offset);
 
 }  // namespace rambla::ecs::detail

@@ -1,74 +1,20 @@
 #include <algorithm>
-#include <cstring>
-#include <new>
+#include <memory>
 #include <utility>
 
 #include "ecs/iteration.h"
 #include "ecs/misuse.h"
 #include "ecs/snapshot.h"
 #include "ecs/snapshot_parse.h"
+#include "ecs/staged_rows.h"
 #include "ecs/world_access.h"
 
 namespace rambla::ecs {
 namespace {
 
 using detail::ParsedStream;
+using detail::StagedRows;
 using detail::WorldAccess;
-
-/// Objects of one component that are ready to become rows.
-class StagedRows {
-public:
-    /// Default values.
-    StagedRows(const ComponentType& type, std::uint32_t rows)
-        : info_{type.info}, rows_{rows}, bytes_{allocate(std::size_t{rows} * type.info->size)} {
-        type.construct(bytes_.get(), rows);
-        alive_ = true;
-    }
-    /// Values that the stream holds as memory would.
-    StagedRows(const ComponentInfo& info, std::uint32_t rows, const std::byte* raw)
-        : info_{&info}, rows_{rows}, raw_{raw} {}
-    StagedRows(StagedRows&& other) noexcept
-        : info_{other.info_},
-          rows_{other.rows_},
-          raw_{other.raw_},
-          bytes_{std::move(other.bytes_)},
-          alive_{std::exchange(other.alive_, false)} {}
-    ~StagedRows() {
-        if (alive_ && info_->destroy != nullptr) info_->destroy(bytes_.get(), rows_);
-    }
-    StagedRows& operator=(StagedRows&&) = delete;
-
-    [[nodiscard]] std::byte* objects() { return bytes_.get(); }
-
-    /// Makes the objects rows at raw memory. Once.
-    void move_to(std::byte* to) noexcept {
-        if (!alive_) {
-            std::memcpy(to, raw_, std::size_t{rows_} * info_->size);
-        } else if (info_->relocate == nullptr) {
-            std::memcpy(to, bytes_.get(), std::size_t{rows_} * info_->size);
-        } else {
-            info_->relocate(to, bytes_.get(), rows_);
-        }
-        alive_ = false;
-    }
-
-private:
-    struct Delete {
-        void operator()(std::byte* bytes) const noexcept { ::operator delete(bytes, k_alignment); }
-    };
-    using Bytes = std::unique_ptr<std::byte, Delete>;
-    static constexpr std::align_val_t k_alignment{k_column_alignment};
-
-    static Bytes allocate(std::size_t bytes) {
-        return Bytes{static_cast<std::byte*>(::operator new(bytes, k_alignment))};
-    }
-
-    const ComponentInfo* info_;
-    std::uint32_t rows_;
-    const std::byte* raw_ = nullptr;
-    Bytes bytes_;
-    bool alive_ = false;
-};
 
 /// Brings a world to where a validated stream says. What can fail comes first.
 class Applier {
@@ -83,6 +29,7 @@ public:
         stage_values();
         stage_resources();
         make_archetypes();
+        stage_sparse();
         reserve();
         for (Staged& staged : staged_resources_)
             staged.type->set(WorldAccess::resources(world_), staged.value.get());
@@ -95,6 +42,10 @@ private:
         std::uint32_t first;
         std::uint32_t rows;
         StagedRows values;
+    };
+    struct StagedSet {
+        SparseSet* old;
+        std::unique_ptr<SparseSet> fresh;
     };
     struct Staged {
         const ResourceType* type;
@@ -132,6 +83,31 @@ private:
             if (type == nullptr || !type->transient() || type->info->size == 0) continue;
             for (const ParsedStream::Run& run : rows.entities)
                 staged.push_back({component, run.first, run.rows, StagedRows{*type, run.rows}});
+        }
+    }
+
+    /// Makes the changed sets anew, beside those that they will be exchanged with.
+    void stage_sparse() {
+        const std::uint32_t version = parsed_.header.position.version;
+        for (const ParsedStream::Sparse& told : parsed_.sparse) {
+            const ParsedStream::Component& component = parsed_.components[told.component];
+            if (component.type == nullptr) continue;
+            const ComponentInfo& info = *component.type->info;
+            SparseSet& old = graph_.sparse_set(info);
+            StagedSet staged{&old, std::make_unique<SparseSet>(WorldAccess::pool(graph_), info)};
+            WorldAccess::set_membership_version(*staged.fresh, version);
+            if (info.size == 0) {
+                for (std::uint32_t place = 0; place < told.size; ++place)
+                    staged.fresh->insert(detail::entity_at(told.entities, place), version);
+            } else {
+                StagedRows values{*component.type, told.size};
+                if (component.has_values) component.decoder.decode(told.values, told.size, values.objects());
+                for (std::uint32_t place = 0; place < told.size; ++place) {
+                    staged.fresh->insert(detail::entity_at(told.entities, place), version);
+                    values.move_one(staged.fresh->value(place));
+                }
+            }
+            staged_sets_.push_back(std::move(staged));
         }
     }
 
@@ -180,13 +156,14 @@ private:
         WorldAccess::reserve(table_, parsed_.slots);
         kept_ = detail::free_slots(world_);
         kept_.resize(parsed_.free_kept);
-        retired_ = WorldAccess::slots(table_) - static_cast<std::uint32_t>(table_.alive_count()) -
-                   static_cast<std::uint32_t>(detail::free_slots(world_).size());
+        retired_ = WorldAccess::retired(table_);
     }
 
     void commit() noexcept {
         for (std::size_t i = 0; i < parsed_.rows.size(); ++i)
             commit_rows(parsed_.rows[i], *targets_[parsed_.rows[i].archetype], first_rows_[i], staged_[i]);
+        for (StagedSet& set : staged_sets_)
+            WorldAccess::swap(*set.old, *set.fresh);
         commit_slots();
         WorldAccess::set_version(world_, parsed_.header.position.version + 1);
     }
@@ -244,7 +221,8 @@ private:
             table_[slot] = {WorldAccess::k_last_generation, k_no_archetype, WorldAccess::k_no_slot};
         WorldAccess::set_first_free(table_, first_free);
         const std::size_t dead = kept_.size() + parsed_.free.size() + retired_ + parsed_.retired.size();
-        WorldAccess::set_slots(table_, parsed_.slots, parsed_.slots - static_cast<std::uint32_t>(dead));
+        WorldAccess::set_slots(table_, parsed_.slots, parsed_.slots - static_cast<std::uint32_t>(dead),
+                               retired_ + static_cast<std::uint32_t>(parsed_.retired.size()));
     }
 
     World& world_;
@@ -252,6 +230,7 @@ private:
     EntityTable& table_;
     const ParsedStream& parsed_;
     std::vector<std::vector<StagedColumn>> staged_;  ///< as parsed_.rows
+    std::vector<StagedSet> staged_sets_;
     std::vector<Staged> staged_resources_;
     std::vector<ComponentId> ids_;           ///< of the world, by component of the stream
     std::vector<Archetype*> targets_;        ///< by archetype of the stream
@@ -264,7 +243,7 @@ private:
 bool changed_since(const World& world, const ChainPosition& position) {
     if (world.version() != position.version + 1) return true;
     const auto later = [&](std::uint32_t version) {
-        return static_cast<std::int32_t>(version - position.version) > 0;
+        return is_after(version, position.version);
     };
     const ArchetypeGraph& graph = WorldAccess::graph(world);
     for (std::size_t i = 0; i < graph.size(); ++i) {
@@ -276,7 +255,9 @@ bool changed_since(const World& world, const ChainPosition& position) {
             if (written) return true;
         }
     }
-    return false;
+    const auto& sets = graph.sparse().all();
+    return std::any_of(sets.begin(), sets.end(),
+                       [&](const auto& set) { return WorldAccess::changed_since(*set, position.version); });
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ std::span<const std::byte> SnapshotWriter::write_stream(World& world, const Base
     write_components(world);
     write_archetypes(world, base);
     write_rows(world, base);
+    write_sparse_sets(world, base);
     write_slots(world, base);
     write_resources(world);
     out_.patch(detail::k_length_offset, std::uint64_t{out_.size() + detail::k_checksum_bytes});
@@ -70,9 +71,9 @@ void SnapshotWriter::write_components(const World& world) {
             throw Misuse{"ecs: SnapshotWriter: component " + std::string{info.name} +
                          " is not registered: describe it with reflection<>, or add it as transient"};
         }
-        if (info.storage != Storage::column) {
+        if (info.storage == Storage::shared) {
             throw Misuse{"ecs: SnapshotWriter: component " + std::string{info.name} +
-                         " is not stored in columns, which snapshots cannot tell yet"};
+                         " is stored shared, which a snapshot cannot hold"};
         }
         if (types_[i] != type) {
             types_[i] = type;
@@ -81,8 +82,10 @@ void SnapshotWriter::write_components(const World& world) {
         }
         const std::uint8_t tag = info.size == 0 ? detail::k_tag_flag : std::uint8_t{0};
         const std::uint8_t transient = type->transient() ? detail::k_transient_flag : std::uint8_t{0};
+        const bool is_sparse = info.storage == Storage::sparse;
+        const std::uint8_t sparse = is_sparse ? detail::k_sparse_flag : std::uint8_t{0};
         out_.text(type->name);
-        out_.number(static_cast<std::uint8_t>(tag | transient));
+        out_.number(static_cast<std::uint8_t>(tag | transient | sparse));
         if (type->transient()) {
             detail::write_schema({{}, 0, {}}, out_);
         } else {
@@ -139,11 +142,8 @@ void SnapshotWriter::write_archetype_rows(const Archetype& archetype, const Base
     out_.number(archetype.rows());
     find_runs(archetype, base, rows_version);
     write_runs();
-    for (const Run& run : runs_) {
-        const auto* first = reinterpret_cast<const std::byte*>(archetype.entities() + run.first);
-        detail::copy_little_endian(out_.extend(run.rows * sizeof(Entity)), first, run.rows * sizeof(Entity),
-                                   sizeof(std::uint32_t));
-    }
+    for (const Run& run : runs_)
+        write_entities({archetype.entities() + run.first, run.rows});
     for (std::size_t column = 0; column < archetype.columns().size(); ++column) {
         const Archetype::Column& values = archetype.columns()[column];
         const detail::RowEncoder* encoder = encoders_[values.component].get();
@@ -182,6 +182,34 @@ void SnapshotWriter::write_runs() {
         out_.number(run.first);
         out_.number(run.rows);
     }
+}
+
+/// Sets are for what few entities have, so one that changed is told whole.
+void SnapshotWriter::write_sparse_sets(const World& world, const Base* base) {
+    const ArchetypeGraph& graph = WorldAccess::graph(world);
+    const std::size_t count_at = out_.size();
+    out_.number(std::uint32_t{0});
+    std::uint32_t written = 0;
+    for (std::size_t i = 0; i < graph.component_count(); ++i) {
+        const SparseSet* set = graph.sparse().find(static_cast<ComponentId>(i));
+        if (set == nullptr || (base != nullptr && !WorldAccess::changed_since(*set, position_.version)))
+            continue;
+        ++written;
+        const auto size = static_cast<std::uint32_t>(set->size());
+        out_.number(static_cast<std::uint32_t>(i));
+        out_.number(size);
+        write_entities(set->entities());
+        for (std::uint32_t place = 0; encoders_[i] != nullptr && place < size; ++place)
+            encoders_[i]->encode(set->value(place), 1, out_);
+    }
+    out_.patch(count_at, written);
+}
+
+void SnapshotWriter::write_entities(std::span<const Entity> entities) {
+    if (entities.empty()) return;
+    detail::copy_little_endian(out_.extend(entities.size_bytes()),
+                               reinterpret_cast<const std::byte*>(entities.data()), entities.size_bytes(),
+                               sizeof(std::uint32_t));
 }
 
 void SnapshotWriter::write_slots(const World& world, const Base* base) {
@@ -224,7 +252,7 @@ void SnapshotWriter::write_slots(const World& world, const Base* base) {
 void SnapshotWriter::find_retired(const EntityTable& table) {
     retired_.clear();
     const std::uint32_t slots = WorldAccess::slots(table);
-    if (table.alive_count() + free_.size() == slots) return;
+    if (WorldAccess::retired(table) == 0) return;
     std::vector<bool> free(slots);
     for (std::uint32_t slot : free_)
         free[slot] = true;

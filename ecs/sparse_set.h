@@ -12,6 +12,10 @@
 
 namespace rambla::ecs {
 
+namespace detail {
+struct WorldAccess;
+}
+
 /// The values of one component that is stored sparse, in a dense order that depends only on the calls: a new
 /// value comes last, and the last one closes the gap of one that goes.
 ///
@@ -68,6 +72,8 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
+    friend struct detail::WorldAccess;
+
     static constexpr std::uint32_t k_page_places = 1024;
     static constexpr std::uint32_t k_page_values = 256;
 

@@ -54,11 +54,13 @@ public:
     void add() {
         const StructDescription& description = description_of<C>();
         insert(component_type<C>(description.name, &description));
+        add_enable_state<C>(description.name);
     }
     /// Entities keep the component in a snapshot, but not its value: for caches and handles.
     template <Component C>
     void add_transient(std::string_view name) {
         insert(component_type<C>(name, nullptr));
+        add_enable_state<C>(name);
     }
     /// Saves a resource with its described fields.
     template <Reflected R>
@@ -84,6 +86,9 @@ public:
     [[nodiscard]] const Migration* migration(std::string_view name, std::uint32_t from) const;
 
 private:
+    /// Which rows are switched off is saved beside the component, under "<name>.disabled".
+    template <class C>
+    void add_enable_state(std::string_view name);
     template <class C>
     static ComponentType component_type(std::string_view name, const StructDescription* description);
     static std::string key(std::string_view name, std::uint32_t version) {
@@ -109,6 +114,25 @@ ComponentType TypeRegistry::component_type(std::string_view name, const StructDe
         };
     }
     return type;
+}
+
+template <class C>
+void TypeRegistry::add_enable_state(std::string_view name) {
+    if constexpr (has_enable_bit<C>) {
+        using State = EnableState<C>;
+        static const std::string state_name = std::string{name} + ".disabled";
+        static const StructDescription description{.name = state_name,
+                                                   .version = 1,
+                                                   .size = sizeof(State),
+                                                   .trivially_copyable = true,
+                                                   .fields = {{.name = "disabled",
+                                                               .kind = FieldKind::boolean,
+                                                               .stride = sizeof(State),
+                                                               .options = {},
+                                                               .values = {}}}};
+        static_assert(sizeof(State) == 1 && std::is_trivially_copyable_v<State>);
+        insert(component_type<State>(state_name, &description));
+    }
 }
 
 template <Reflected R>

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
+#include "ecs/version.h"
 #include "ecs/world.h"
 
 namespace rambla::ecs::detail {
@@ -33,27 +36,47 @@ struct WorldAccess {
         archetype.stamp_rows(row, version);
     }
     static void reserve(Archetype& archetype, std::uint32_t rows) {
-        while (archetype.capacity_ < rows)
-            archetype.grow();
+        if (archetype.capacity_ < rows) archetype.grow_to(rows);
     }
     static void set_rows(Archetype& archetype, std::uint32_t rows) { archetype.rows_ = rows; }
     static Entity* entities(Archetype& archetype) { return archetype.entities_; }
 
+    static BlockPool& pool(ArchetypeGraph& graph) { return graph.storage_.pool; }
+    /// Exchanges what two sets of the same component and pool hold.
+    static void swap(SparseSet& a, SparseSet& b) noexcept {
+        a.pages_.swap(b.pages_);
+        a.entities_.swap(b.entities_);
+        a.versions_.swap(b.versions_);
+        a.values_.swap(b.values_);
+        std::swap(a.membership_version_, b.membership_version_);
+    }
+    /// Whether a value was written, came or went after `version`.
+    static bool changed_since(const SparseSet& set, std::uint32_t version) {
+        return is_after(set.membership_version_, version) ||
+               std::any_of(set.versions_.begin(), set.versions_.end(),
+                           [&](std::uint32_t written) { return is_after(written, version); });
+    }
+    static void set_membership_version(SparseSet& set, std::uint32_t version) {
+        set.membership_version_ = version;
+    }
+
     static constexpr std::uint32_t k_no_slot = EntityTable::k_none;
-    static constexpr std::uint32_t k_last_generation = 0xffffffffu;
+    static constexpr std::uint32_t k_last_generation = EntityTable::k_last_generation;
     static std::uint32_t slots(const EntityTable& table) { return table.size_; }
     static std::uint32_t max_slots(const EntityTable& table) { return table.max_entities_; }
     static std::uint32_t first_free(const EntityTable& table) { return table.first_free_; }
     static const EntityRecord& record(const EntityTable& table, std::uint32_t index) {
         return table.records()[index];
     }
+    static std::uint32_t retired(const EntityTable& table) { return table.retired_; }
     static void reserve(EntityTable& table, std::uint32_t slots) {
-        while (table.capacity_ < slots)
-            table.grow();
+        if (table.capacity_ < slots) table.grow_to(slots);
     }
-    static void set_slots(EntityTable& table, std::uint32_t slots, std::uint32_t alive) {
+    static void set_slots(EntityTable& table, std::uint32_t slots, std::uint32_t alive,
+                          std::uint32_t retired) {
         table.size_ = slots;
         table.alive_ = alive;
+        table.retired_ = retired;
     }
     static void set_first_free(EntityTable& table, std::uint32_t index) { table.first_free_ = index; }
 };

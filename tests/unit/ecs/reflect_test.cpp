@@ -112,7 +112,7 @@ TEST(TypeRegistry, FindsTypesByNameAndRefusesDoubledNames) {
     TypeRegistry registry = parts_registry();
     EXPECT_EQ(registry.component("health")->info, &component_info<Health>());
     EXPECT_EQ(registry.component(component_info<Label>())->name, "label");
-    EXPECT_EQ(registry.component("engine"), nullptr);
+    EXPECT_EQ(registry.component("rudder"), nullptr);
     EXPECT_TRUE(registry.component("cache")->transient());
     EXPECT_EQ(registry.resource("weather")->description, &description_of<Weather>());
     EXPECT_THROW(registry.add<Health>(), Misuse);

@@ -37,6 +37,18 @@ struct Label {
     bool operator==(const Label&) const = default;
 };
 
+/// Lives in a sparse set.
+struct Mark {
+    std::string reason;
+    bool operator==(const Mark&) const = default;
+};
+struct Chosen {};
+
+/// Can be switched off row by row.
+struct Engine {
+    float power_w = 1.0f;
+};
+
 /// What is not worth keeping.
 struct Cache {
     int value = -1;
@@ -64,6 +76,19 @@ inline TypeRegistry parts_registry();
 }  // namespace rambla::ecs::test
 
 namespace rambla::ecs {
+
+template <>
+struct component_options<test::Mark> {
+    static constexpr Storage storage = Storage::sparse;
+};
+template <>
+struct component_options<test::Chosen> {
+    static constexpr Storage storage = Storage::sparse;
+};
+template <>
+struct component_options<test::Engine> {
+    static constexpr bool enable_bit = true;
+};
 
 template <>
 struct reflection<test::Position> {
@@ -121,6 +146,19 @@ struct reflection<test::Label> {
                                       .field("colour", &test::Label::colour);
 };
 template <>
+struct reflection<test::Mark> {
+    static constexpr auto value = describe<test::Mark>("mark").field("reason", &test::Mark::reason);
+};
+template <>
+struct reflection<test::Chosen> {
+    static constexpr auto value = describe<test::Chosen>("chosen");
+};
+template <>
+struct reflection<test::Engine> {
+    static constexpr auto value =
+        describe<test::Engine>("engine").field("power_w", &test::Engine::power_w, {.unit = "W"});
+};
+template <>
 struct reflection<test::Weather> {
     static constexpr auto value = describe<test::Weather>("weather")
                                       .field("wind_m_s", &test::Weather::wind_m_s)
@@ -141,6 +179,9 @@ inline TypeRegistry test::parts_registry() {
     registry.add<Frozen>();
     registry.add<Machine>();
     registry.add<Label>();
+    registry.add<Mark>();
+    registry.add<Chosen>();
+    registry.add<Engine>();
     registry.add_transient<Cache>("cache");
     registry.add_resource<Weather>();
     return registry;

@@ -21,6 +21,10 @@ void populate(World& world) {
         world.create(Machine{}, Label{std::to_string(i) + " x", i});
         world.create(Parent{{i, 1}}, Cache{});
     }
+    world.add(Entity{1, 1}, Mark{"first"});
+    world.add(Entity{2, 1}, Mark{"second"});
+    world.add(Entity{7, 1}, Chosen{});
+    world.set_enabled<Engine>(world.create(Engine{5}), false);
     world.destroy({4, 1});
     world.destroy({9, 1});
     world.set_resource(Weather{1.5f, "calm"});
@@ -49,6 +53,7 @@ bool survives(const Bytes& bytes, const TypeRegistry& registry, bool drop) {
         for (const Entity& entity : all) {
             EXPECT_TRUE(world.alive(entity));
             world.add(entity, Byte{1});
+            world.add(entity, Mark{"again"});
         }
         for (const Entity& entity : all)
             world.destroy(entity);

@@ -28,7 +28,7 @@ public:
         }
         const std::size_t place = below(static_cast<std::uint32_t>(alive_.size()));
         const Entity entity = alive_[place];
-        switch (below(12)) {
+        switch (below(17)) {
             case 0:
             case 1:
                 world.destroy(entity);
@@ -62,6 +62,22 @@ public:
                 world.add(entity, Machine{});
                 world.get_mut<Machine>(entity).driver =
                     alive_[below(static_cast<std::uint32_t>(alive_.size()))];
+                break;
+            case 11:
+                world.add(entity, Mark{std::to_string(n)});
+                break;
+            case 12:
+                if (world.has<Mark>(entity)) world.get_mut<Mark>(entity).reason += "?";
+                break;
+            case 13:
+                if (world.has<Mark>(entity)) world.remove<Mark>(entity);
+                break;
+            case 14:
+                if (!world.has<Engine>(entity)) world.add(entity, Engine{1});
+                world.set_enabled<Engine>(entity, n % 2 == 0);
+                break;
+            case 15:
+                world.add(entity, Chosen{});
                 break;
             default: {
                 commands_.add(entity, Byte{static_cast<std::uint8_t>(n)});
@@ -184,6 +200,7 @@ TEST(SnapshotDelta, OfAWorldThatWasChangedSinceIsRefused) {
     refused_after([&](World& copy) { copy.get_mut<Health>(entity).points = 2; });
     refused_after([&](World& copy) { copy.destroy(entity); });
     refused_after([&](World& copy) { copy.create(); });
+    refused_after([&](World& copy) { copy.add(entity, Mark{}); });
     refused_after([&](World& copy) { copy.advance_version(); });
     RestoredWorld restored = read_snapshot(base, registry);
     EXPECT_NO_THROW(apply_delta(restored, delta, registry));

@@ -131,6 +131,33 @@ TEST(Snapshot, ResetsTransientComponents) {
     EXPECT_EQ(restored.world->get<Health>(entity).points, 6);
 }
 
+TEST(Snapshot, KeepsSparseComponentsInTheirOrderAndWhatIsSwitchedOff) {
+    const TypeRegistry registry = parts_registry();
+    World world;
+    std::vector<Entity> entities;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        entities.push_back(world.create(Engine{static_cast<float>(i)}));
+        if (i % 3 == 0) world.add(entities[i], Mark{std::to_string(i)});
+        if (i % 5 == 0) world.add(entities[i], Chosen{});
+        if (i % 7 == 0) world.set_enabled<Engine>(entities[i], false);
+    }
+    world.remove<Mark>(entities[0]);  // the last one takes its place
+    world.destroy(entities[9]);
+    const RestoredWorld restored = read_snapshot(snapshot_of(world, registry), registry);
+    const World& copy = *restored.world;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        if (i == 9) continue;
+        ASSERT_EQ(copy.has<Mark>(entities[i]), i % 3 == 0 && i != 0) << i;
+        if (i % 3 == 0 && i != 0) {
+            ASSERT_EQ(copy.get<Mark>(entities[i]), Mark{std::to_string(i)});
+        }
+        ASSERT_EQ(copy.has<Chosen>(entities[i]), i % 5 == 0);
+        ASSERT_EQ(copy.enabled<Engine>(entities[i]), i % 7 != 0);
+        ASSERT_EQ(copy.get<Engine>(entities[i]).power_w, static_cast<float>(i));
+    }
+    EXPECT_EQ(snapshot_of(*restored.world, registry), snapshot_of(world, registry)) << "dense order too";
+}
+
 TEST(Snapshot, RefusesComponentsThatNobodyDescribed) {
     const TypeRegistry registry = parts_registry();
     World world;
