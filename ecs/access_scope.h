@@ -46,6 +46,11 @@ public:
         innermost_->require_everything(operation);
     }
 
+    /// Whether this thread works for a system that shares the world with others.
+    [[nodiscard]] static bool shares(const World& world) {
+        return innermost_ != nullptr && innermost_->world_ == &world && !innermost_->access_->everything();
+    }
+
 private:
     void require(const AccessPart& part) const;
     void require_everything(std::string_view operation) const;

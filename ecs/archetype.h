@@ -160,6 +160,12 @@ public:
     [[nodiscard]] std::uint32_t version(ColumnIndex column) const {
         return later(rows_version_, latest_[column]);
     }
+    /// Version at which rows of a chunk last came or went.
+    [[nodiscard]] std::uint32_t rows_version(std::uint32_t chunk) const {
+        return versions_[chunk * version_stride()];
+    }
+    /// The latest of these over all chunks.
+    [[nodiscard]] std::uint32_t rows_version() const { return rows_version_; }
     /// Marks a chunk's column as written. Several threads may stamp different chunks of one column with the
     /// same version.
     void stamp(ColumnIndex column, std::uint32_t chunk, std::uint32_t version) noexcept {

@@ -155,6 +155,22 @@ void Team::wait() {
     take_up(impl_.get());
 }
 
+void for_ranges(std::size_t count, std::size_t grain, void (*f)(void*, std::size_t, std::size_t),
+                void* argument) {
+    char begun = 0;
+    char ended = 0;
+    hand_over(&begun);
+    tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>{0, count, std::max<std::size_t>(grain, 1)},
+                          [&](const tbb::blocked_range<std::size_t>& range) {
+                              take_up(&begun);
+                              f(argument, range.begin(), range.end());
+                              hand_over(&ended);
+                          });
+    });
+    take_up(&ended);
+}
+
 std::size_t Team::allowed_threads() {
     return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 }

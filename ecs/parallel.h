@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
+#include <mutex>
 #include <type_traits>
 
 namespace rambla::ecs {
@@ -68,5 +70,44 @@ private:
 
     std::unique_ptr<Impl> impl_;
 };
+
+/// Calls f(begin, end) for ranges of at most `grain` that cover [0, count), on the threads that the caller's
+/// oneTBB arena has, and waits for all. f must not throw.
+void for_ranges(std::size_t count, std::size_t grain, void (*f)(void*, std::size_t, std::size_t),
+                void* argument);
+
+namespace detail {
+
+/// Calls f(i) for all i below `count` on the caller's threads. Of what is thrown, throws what the smallest i
+/// threw, after all others have ended.
+template <class F>
+void for_each_in_parallel(std::size_t count, F&& f) {
+    struct Run {
+        F& f;
+        std::mutex guard;
+        std::size_t first_failed;
+        std::exception_ptr error;
+    };
+    Run run{f, {}, count, {}};
+    for_ranges(
+        count, 1,
+        [](void* argument, std::size_t begin, std::size_t end) {
+            Run& mine = *static_cast<Run*>(argument);
+            for (std::size_t i = begin; i < end; ++i) {
+                try {
+                    mine.f(i);
+                } catch (...) {
+                    const std::lock_guard lock{mine.guard};
+                    if (i >= mine.first_failed) continue;
+                    mine.first_failed = i;
+                    mine.error = std::current_exception();
+                }
+            }
+        },
+        &run);
+    if (run.error != nullptr) std::rethrow_exception(run.error);
+}
+
+}  // namespace detail
 
 }  // namespace rambla::ecs

@@ -15,6 +15,11 @@ constexpr bool is_after(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::int32_t>(a - b) > 0;
 }
 
+/// Whether `version` is `since` or later.
+constexpr bool is_since(std::uint32_t version, std::uint32_t since) {
+    return !is_after(since, version);
+}
+
 constexpr std::uint32_t later(std::uint32_t a, std::uint32_t b) {
     return is_after(a, b) ? a : b;
 }

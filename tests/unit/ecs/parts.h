@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ecs/component.h"
+#include "ecs/parent.h"
 
 namespace rambla::ecs::test {
 
@@ -57,10 +58,6 @@ private:
 /// Owns memory, but may be moved by its bytes.
 struct Owner {
     std::unique_ptr<int> value;
-};
-
-struct Parent {
-    Entity entity;
 };
 
 /// Stored sparse.
@@ -124,8 +121,3 @@ struct rambla::ecs::component_options<rambla::ecs::test::Tint> {
 
 template <>
 struct rambla::ecs::is_relocatable<rambla::ecs::test::Owner> : std::true_type {};
-
-template <>
-struct rambla::ecs::entity_members<rambla::ecs::test::Parent> {
-    static constexpr std::tuple value{&rambla::ecs::test::Parent::entity};
-};

@@ -8,6 +8,7 @@
 
 #include "ecs/query.h"
 #include "ecs/reflect.h"
+#include "ecs/reflect_parent.h"
 #include "ecs/snapshot.h"
 #include "ecs/type_registry.h"
 #include "unit/ecs/parts.h"
@@ -112,10 +113,6 @@ struct reflection<test::Health> {
 template <>
 struct reflection<test::Byte> {
     static constexpr auto value = describe<test::Byte>("byte").field("value", &test::Byte::value);
-};
-template <>
-struct reflection<test::Parent> {
-    static constexpr auto value = describe<test::Parent>("parent").field("entity", &test::Parent::entity);
 };
 template <>
 struct reflection<test::Frozen> {
