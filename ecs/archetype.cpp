@@ -136,7 +136,7 @@ void Archetype::grow_block(std::uint32_t capacity) {
 void Archetype::grow_reserved(std::uint32_t capacity) {
     reserve_versions(capacity);
     if (!reserved_.empty()) {
-        commit(reserved_, capacity);
+        commit(capacity);
         capacity_ = capacity;
         return;
     }
@@ -145,7 +145,8 @@ void Archetype::grow_reserved(std::uint32_t capacity) {
     for (std::size_t i = 0; i <= columns_.size(); ++i) {
         fresh.emplace_back(stagger(i) + std::size_t{storage_.max_rows} * row_bytes(i));
     }
-    commit(fresh, capacity);
+    for (std::size_t i = 0; i < fresh.size(); ++i)
+        fresh[i].commit(stagger(i) + std::size_t{capacity} * row_bytes(i));
     std::size_t next = 0;
     move_columns([&](std::size_t) {
         std::byte* base = fresh[next].data() + stagger(next);
@@ -157,10 +158,15 @@ void Archetype::grow_reserved(std::uint32_t capacity) {
     capacity_ = capacity;
 }
 
-void Archetype::commit(std::span<ReservedMemory> columns, std::uint32_t capacity) const {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        columns[i].commit(stagger(i) + std::size_t{capacity} * row_bytes(i));
-    }
+void Archetype::commit(std::uint32_t capacity) {
+    for (std::size_t i = 0; i < reserved_.size(); ++i)
+        reserved_[i].commit(begin_in_reserved(i) + std::size_t{capacity} * row_bytes(i));
+}
+
+std::size_t Archetype::begin_in_reserved(std::size_t column) const {
+    const std::byte* begin =
+        column == 0 ? reinterpret_cast<const std::byte*>(entities_) : columns_[column - 1].base;
+    return static_cast<std::size_t>(begin - reserved_[column].data());
 }
 
 void Archetype::release_block() noexcept {

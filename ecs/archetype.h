@@ -189,7 +189,10 @@ private:
     void grow_to(std::uint64_t rows);
     void grow_block(std::uint32_t capacity);
     void grow_reserved(std::uint32_t capacity);
-    void commit(std::span<ReservedMemory> columns, std::uint32_t capacity) const;
+    void commit(std::uint32_t capacity);
+    /// Where the entities (0) or a column (from 1) begin in the reservation that they have: columns that
+    /// changed hands keep theirs.
+    [[nodiscard]] std::size_t begin_in_reserved(std::size_t column) const;
     void release_block() noexcept;
     void end_row(std::uint32_t row) noexcept;
     void reserve_versions(std::uint32_t capacity);

@@ -159,6 +159,81 @@ void BulkRows::close_gaps(Archetype& archetype, std::span<const std::uint32_t> g
     stamp(archetype, end, old_end);
 }
 
+bool BulkRows::can_hand_over(const Archetype& from, const Archetype& to) {
+    return to.rows_ == 0 && !from.reserved_.empty();
+}
+
+void BulkRows::reserve_all(Archetype& from, Archetype& to) {
+    if (!can_hand_over(from, to)) return to.reserve(std::uint64_t{to.rows_} + from.rows_);
+    to.reserve(k_pooled_rows + std::uint64_t{1});  // so that it has reservations of its own
+    if (to.reserved_.empty()) return to.reserve(from.rows_);
+    to.reserve_versions(from.capacity_);
+    for (std::size_t i = 0; i < to.columns_.size(); ++i) {
+        if (from.has(to.columns_[i].component)) continue;
+        to.reserved_[i + 1].commit(to.begin_in_reserved(i + 1) +
+                                   std::size_t{from.capacity_} * to.columns_[i].size);
+    }
+}
+
+std::uint32_t BulkRows::move_all(Archetype& from, Archetype& to) const noexcept {
+    const std::uint32_t count = from.rows_;
+    const std::uint32_t first = to.rows_;
+    const bool hands_over = can_hand_over(from, to) && !to.reserved_.empty();
+    if (hands_over) hand_over(from, to);
+    grow_rows(to, count);
+    if (!hands_over) std::copy_n(from.entities_, count, to.entities_ + first);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i + k_ahead < count) entities.prefetch(to.entities_[first + i + k_ahead].index);
+        entities.place(to.entities_[first + i].index, to.index(), first + i);
+    }
+    for (const Archetype::Column& source : from.columns_) {
+        const ColumnIndex target = to.column_of(source.component);
+        if (target == k_no_column) {
+            destroy_rows(*source.info, source.base, count);
+        } else if (!hands_over && count != 0) {
+            relocate_rows(*source.info, to.columns_[target].at(first), source.base, count);
+        }
+    }
+    stamp(from, 0, count);
+    from.rows_ = 0;
+    return first;
+}
+
+void BulkRows::hand_over(Archetype& from, Archetype& to) noexcept {
+    const std::uint32_t capacity = from.capacity_;
+    std::swap(from.reserved_[0], to.reserved_[0]);
+    std::swap(from.entities_, to.entities_);
+    for (std::size_t i = 0; i < from.columns_.size(); ++i) {
+        const ColumnIndex target = to.column_of(from.columns_[i].component);
+        if (target == k_no_column) continue;
+        std::swap(from.reserved_[i + 1], to.reserved_[target + std::size_t{1}]);
+        std::swap(from.columns_[i].base, to.columns_[target].base);
+    }
+    // What `from` got is as long as it was in `to`; what it kept may be longer or shorter.
+    from.capacity_ = std::min(from.capacity_, to.capacity_);
+    to.capacity_ = capacity;
+}
+
+void BulkRows::end_all(Archetype& archetype) const noexcept {
+    const std::uint32_t count = archetype.rows_;
+    for (const Archetype::Column& column : archetype.columns_) {
+        if (count != 0) destroy_rows(*column.info, column.base, count);
+    }
+    for (std::uint32_t row = 0; row < count; ++row) {
+        if (row + k_ahead < count) entities.prefetch(archetype.entities_[row + k_ahead].index);
+        sparse.erase_all(archetype.entities_[row], version);
+        entities.give_back(archetype.entities_[row].index);
+    }
+    stamp(archetype, 0, count);
+    archetype.rows_ = 0;
+}
+
+void BulkRows::stamp_column(Archetype& archetype, ColumnIndex column, std::uint32_t first,
+                            std::uint32_t end) const noexcept {
+    for (std::uint32_t row = first; row < end; row = (row / k_chunk_rows + 1) * k_chunk_rows)
+        archetype.stamp(column, row / k_chunk_rows, version);
+}
+
 std::uint32_t BulkRows::grow_rows(Archetype& to, std::uint32_t count) const noexcept {
     const std::uint32_t first = to.rows_;
     to.rows_ += count;

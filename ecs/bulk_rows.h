@@ -33,7 +33,19 @@ struct BulkRows {
     void close_gaps(Archetype& archetype, std::span<const std::uint32_t> gaps,
                     std::span<std::uint32_t> fillers) const noexcept;
 
+    /// Makes sure that move_all() has room, and whether it may hand over whole columns. May fail.
+    static void reserve_all(Archetype& from, Archetype& to);
+    /// Moves all rows as move() does. Columns change hands where `to` is empty. Returns the first.
+    std::uint32_t move_all(Archetype& from, Archetype& to) const noexcept;
+    /// Ends all rows as end() does and leaves no gaps.
+    void end_all(Archetype& archetype) const noexcept;
+    /// Marks a column of these rows as written.
+    void stamp_column(Archetype& archetype, ColumnIndex column, std::uint32_t first,
+                      std::uint32_t end) const noexcept;
+
 private:
+    [[nodiscard]] static bool can_hand_over(const Archetype& from, const Archetype& to);
+    static void hand_over(Archetype& from, Archetype& to) noexcept;
     std::uint32_t grow_rows(Archetype& to, std::uint32_t count) const noexcept;
     void stamp(Archetype& archetype, std::uint32_t first, std::uint32_t end) const noexcept;
 };

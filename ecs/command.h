@@ -11,7 +11,12 @@
 #include "ecs/component.h"
 #include "ecs/entity.h"
 
-namespace rambla::ecs::detail {
+namespace rambla::ecs {
+
+class Archetype;
+class ArchetypeGraph;
+
+namespace detail {
 
 /// What the placeholders of one recording stand for: number i stands for entities[i].
 using CreatedEntities = std::span<const Entity>;
@@ -37,6 +42,10 @@ struct CommandType {
     bool values_end;      ///< some part has a destructor to call
     bool beside_columns;  ///< some part is stored sparse or shared
     std::span<const CommandPart> parts;
+    /// Set for commands about all entities of the archetypes that it says yes to.
+    bool (*fits)(const ArchetypeGraph& graph, const Archetype& archetype) = nullptr;
+    /// Constructs copies of a value, for those.
+    void (*fill)(void* first, std::size_t count, const void* value) noexcept = nullptr;
 };
 
 struct Command {
@@ -107,4 +116,5 @@ const CommandType& command_type() {
     return type;
 }
 
-}  // namespace rambla::ecs::detail
+}  // namespace detail
+}  // namespace rambla::ecs

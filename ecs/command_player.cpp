@@ -1,8 +1,8 @@
 #include "ecs/command_player.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
+#include <utility>
 
 #include "ecs/iteration.h"
 #include "ecs/relocate.h"
@@ -22,29 +22,102 @@ CommandPlayer& CommandPlayer::of(World& world) {
 
 Playback CommandPlayer::play(std::span<Commands* const> recordings, std::string_view operation) {
     IterationMark::forbid(world_, operation);
-    const auto forget = [&] {
-        for (Commands* recording : recordings)
-            recording->forget_from(0);
-    };
+    merge(recordings);
+    std::size_t dropped = 0;
+    std::size_t next = 0;
     try {
-        merge(recordings);
-        plan_.make(world_.graph_, world_.entities_, commands_, created_);
-        prepare();
+        while (next < commands_.size()) {
+            std::size_t end = next;
+            while (end < commands_.size() && commands_[end].type->fits == nullptr)
+                ++end;
+            if (end != next) {
+                dropped += play_single(recordings, next, end);
+                next = end;
+                write_sparse();
+            }
+            if (next == commands_.size()) break;
+            play_whole(commands_[next]);
+            ++next;
+        }
     } catch (...) {
-        forget();
+        for (std::size_t i = 0; i < recordings.size(); ++i)
+            recordings[i]->forget_from(next - std::min(next, commands_before_[i]));
         throw;
     }
-    const Playback playback{commands_.size() - plan_.dropped(), plan_.dropped()};
-    commit(recordings);
+    const Playback playback{commands_.size() - dropped, dropped};
     give_created_to(recordings);
-    write_sparse();
     return playback;
+}
+
+std::size_t CommandPlayer::play_single(std::span<Commands* const> recordings, std::size_t first,
+                                       std::size_t end) {
+    plan_.make(world_.graph_, world_.entities_, commands_.subspan(first, end - first), created_);
+    prepare();
+    commit(recordings, first);
+    return plan_.dropped();
+}
+
+void CommandPlayer::play_whole(const Command& command) {
+    whole_.clear();
+    for (std::size_t i = 0; i < world_.graph_.size(); ++i) {
+        Archetype& archetype = world_.graph_[i];
+        if (archetype.rows() != 0 && command.type->fits(world_.graph_, archetype))
+            whole_.push_back(&archetype);
+    }
+    if (command.type->kind == CommandKind::destroy) {
+        for (Archetype* archetype : whole_)
+            bulk().end_all(*archetype);
+    } else if (command.type->kind == CommandKind::remove) {
+        remove_from_whole(command.type->parts[0]);
+    } else {
+        resolve_parts(command, created_);
+        add_to_whole(command, command.type->parts[0]);
+        destroy_rows(*command.type->parts[0].info, command.values, 1);
+    }
+}
+
+void CommandPlayer::add_to_whole(const Command& command, const CommandPart& part) {
+    const ComponentId component = world_.graph_.component(*part.info);
+    for (Archetype* from : whole_) {
+        if (!from->has(component)) BulkRows::reserve_all(*from, world_.graph_.toggled(*from, component));
+    }
+    for (Archetype* archetype : whole_) {  // first those that stay, before others come to them
+        if (archetype->has(component))
+            replace_whole(command, *part.info, *archetype, archetype->column_of(component), 0, true);
+    }
+    for (Archetype* from : whole_) {
+        if (from->has(component)) continue;
+        Archetype& to = world_.graph_.toggled(*from, component);
+        const std::uint32_t first = bulk().move_all(*from, to);
+        replace_whole(command, *part.info, to, to.column_of(component), first, false);
+    }
+}
+
+void CommandPlayer::replace_whole(const Command& command, const ComponentInfo& info, Archetype& archetype,
+                                  ColumnIndex column, std::uint32_t first_row, bool ends_old) noexcept {
+    if (column == k_tag_column) return;
+    std::byte* first = archetype.columns()[column].at(first_row);
+    const std::uint32_t count = archetype.rows() - first_row;
+    if (ends_old) destroy_rows(info, first, count);
+    command.type->fill(first, count, command.values);
+    if (ends_old) bulk().stamp_column(archetype, column, first_row, archetype.rows());
+}
+
+void CommandPlayer::remove_from_whole(const CommandPart& part) {
+    const ComponentId component = world_.graph_.component(*part.info);
+    std::erase_if(whole_, [&](const Archetype* from) { return !from->has(component); });
+    for (Archetype* from : whole_)
+        BulkRows::reserve_all(*from, world_.graph_.toggled(*from, component));
+    for (Archetype* from : whole_)
+        bulk().move_all(*from, world_.graph_.toggled(*from, component));
 }
 
 void CommandPlayer::merge(std::span<Commands* const> recordings) {
     created_.clear();
     placeholders_.assign(1, 0);
+    commands_before_.assign(1, 0);
     for (Commands* recording : recordings) {
+        commands_before_.push_back(commands_before_.back() + recording->commands_.size());
         placeholders_.push_back(placeholders_.back() + recording->placeholders_);
         recording->created_.clear();
         recording->created_.reserve(recording->placeholders_);
@@ -100,13 +173,13 @@ void CommandPlayer::reserve_handles() {
     if (wanted > freed) world_.entities_.reserve(wanted - freed);
 }
 
-void CommandPlayer::commit(std::span<Commands* const> recordings) noexcept {
-    const BulkRows bulk{world_.entities_, world_.graph_.sparse(), world_.version_};
+void CommandPlayer::commit(std::span<Commands* const> recordings, std::size_t first) noexcept {
+    const BulkRows bulk = this->bulk();
     for (const PlannedGroup& group : plan_.groups()) {
         if (group.from != nullptr && group.to == nullptr) bulk.end(*group.from, plan_.rows(group));
     }
     create_handles();
-    resolve_placeholders(recordings);
+    resolve_placeholders(recordings, first);
     for (const ObsoleteValue& obsolete : plan_.obsolete())
         obsolete.info->destroy(obsolete.value, 1);
     auto gaps = plan_.gaps().begin();
@@ -141,16 +214,20 @@ void CommandPlayer::create_handles() noexcept {
     }
 }
 
-void CommandPlayer::resolve_placeholders(std::span<Commands* const> recordings) noexcept {
+void CommandPlayer::resolve_placeholders(std::span<Commands* const> recordings, std::size_t first) noexcept {
     if (created_.empty()) return;
-    for (std::size_t i = 0; i < recordings.size(); ++i) {
-        const CreatedEntities created = created_of(i);
-        for (const Command& command : recordings[i]->commands_) {
-            if (!command.type->holds_entities) continue;
-            for (const CommandPart& part : command.type->parts) {
-                if (part.resolve != nullptr) part.resolve(created, command.values + part.offset);
-            }
-        }
+    std::size_t recording = 0;
+    for (std::size_t i = first; i < commands_.size() && commands_[i].type->fits == nullptr; ++i) {
+        if (!commands_[i].type->holds_entities) continue;
+        while (recording + 1 < recordings.size() && commands_before_[recording + 1] <= i)
+            ++recording;
+        resolve_parts(commands_[i], created_of(recording));
+    }
+}
+
+void CommandPlayer::resolve_parts(const Command& command, CreatedEntities created) noexcept {
+    for (const CommandPart& part : command.type->parts) {
+        if (part.resolve != nullptr) part.resolve(created, command.values + part.offset);
     }
 }
 
@@ -241,7 +318,8 @@ std::size_t CommandPlayer::memory_bytes() const {
     return sizeof(CommandPlayer) + plan_.memory_bytes() + merged_.capacity() * sizeof(Command) +
            (placeholders_.capacity() + fillers_.capacity()) * sizeof(std::uint32_t) +
            (created_.capacity() + fresh_.capacity()) * sizeof(Entity) +
-           incoming_.capacity() * sizeof(std::uint64_t);
+           incoming_.capacity() * sizeof(std::uint64_t) + commands_before_.capacity() * sizeof(std::size_t) +
+           whole_.capacity() * sizeof(Archetype*);
 }
 
 }  // namespace rambla::ecs::detail

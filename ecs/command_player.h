@@ -28,13 +28,22 @@ public:
 
 private:
     void merge(std::span<Commands* const> recordings);
+    /// Plays commands about single entities. Says how many were dropped.
+    std::size_t play_single(std::span<Commands* const> recordings, std::size_t first, std::size_t end);
+    void play_whole(const Command& command);
+    void add_to_whole(const Command& command, const CommandPart& part);
+    void replace_whole(const Command& command, const ComponentInfo& info, Archetype& archetype,
+                       ColumnIndex column, std::uint32_t first_row, bool ends_old) noexcept;
+    void remove_from_whole(const CommandPart& part);
+    [[nodiscard]] BulkRows bulk() { return {world_.entities_, world_.graph_.sparse(), world_.version_}; }
     /// What may fail.
     void prepare();
     void reserve_handles();
     /// What cannot.
-    void commit(std::span<Commands* const> recordings) noexcept;
+    void commit(std::span<Commands* const> recordings, std::size_t first) noexcept;
     void create_handles() noexcept;
-    void resolve_placeholders(std::span<Commands* const> recordings) noexcept;
+    void resolve_placeholders(std::span<Commands* const> recordings, std::size_t first) noexcept;
+    static void resolve_parts(const Command& command, CreatedEntities created) noexcept;
     [[nodiscard]] CreatedEntities created_of(std::size_t recording) const;
     void append_created(const PlannedGroup& group, const BulkRows& bulk) noexcept;
     void write(const PlannedGroup& group, std::uint32_t first_row) noexcept;
@@ -44,11 +53,13 @@ private:
 
     World& world_;
     CommandPlan plan_;
-    std::span<const Command> commands_;        ///< of all recordings
-    std::vector<Command> merged_;              ///< where commands_ are if there are several recordings
-    std::vector<std::uint32_t> placeholders_;  ///< before each recording, and after the last
-    std::vector<Entity> created_;              ///< by placeholder, of all recordings
-    std::vector<std::uint64_t> incoming_;      ///< rows, by archetype
+    std::span<const Command> commands_;         ///< of all recordings
+    std::vector<Command> merged_;               ///< where commands_ are if there are several recordings
+    std::vector<std::uint32_t> placeholders_;   ///< before each recording, and after the last
+    std::vector<std::size_t> commands_before_;  ///< each recording, and all
+    std::vector<Archetype*> whole_;             ///< that a command is about
+    std::vector<Entity> created_;               ///< by placeholder, of all recordings
+    std::vector<std::uint64_t> incoming_;       ///< rows, by archetype
     std::vector<std::uint32_t> fillers_;
     std::vector<Entity> fresh_;
 };

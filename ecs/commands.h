@@ -11,6 +11,7 @@
 #include "ecs/command_arena.h"
 #include "ecs/component.h"
 #include "ecs/entity.h"
+#include "ecs/whole_commands.h"
 #include "ecs/world.h"
 
 namespace rambla::ecs {
@@ -35,6 +36,8 @@ struct Playback {
 ///   - rows that come from other archetypes follow behind, by the age of the archetype that they come from,
 ///     then in the order that they had there;
 ///   - created entities come last, in the order of their creation.
+/// Commands for all entities are played where they stand among the others. Their rows keep their order behind
+/// those that were there.
 /// Handles: those of destroyed entities become free, in the order of their archetypes and rows, before those
 /// of created entities are taken, in the order of creation.
 class Commands {
@@ -60,11 +63,31 @@ public:
         commands_.push_back({entity, &detail::command_type<detail::CommandKind::destroy>(), nullptr});
     }
 
+    /// Gives C, or replaces its value, to all entities that fit the terms when it is played:
+    ///     commands.add_to_all<Frozen, With<Health>, Without<Burning>>();
+    /// Whole archetypes change, and where the one that they change to is empty, without moving a row. Terms
+    /// are those that whole archetypes fit; without any, all entities do.
+    template <Component C, class... Terms>
+    void add_to_all(C value = {}) {
+        record(detail::whole_command_type<detail::CommandKind::add, C, Terms...>(), Entity{}, value);
+    }
+    /// Takes C from all entities that have it and fit the terms.
+    template <Component C, class... Terms>
+    void remove_from_all() {
+        commands_.push_back(
+            {{}, &detail::whole_command_type<detail::CommandKind::remove, C, Terms...>(), nullptr});
+    }
+    /// Ends all entities that fit the terms.
+    template <class... Terms>
+    void destroy_all() {
+        commands_.push_back({{}, &detail::whole_destroy_type<Terms...>(), nullptr});
+    }
+
     /// Makes the changes and empties the recording. Commands whose target ended earlier, or that remove what
     /// is not there, are dropped and counted. Throws Misuse while the world is being iterated: then nothing
     /// is changed and the recording stays. Throws CapacityExceeded: then nothing is changed and the recording
-    /// is dropped. A world may be full until those that leave have left: rows that come need room beside
-    /// rows that go.
+    /// is dropped; except that commands for all entities divide a recording, and that what came before the
+    /// part that does not fit stays made. Rows that come to an archetype need room beside rows that go.
     Playback apply(World& world);
     /// Forgets what was recorded.
     void clear() noexcept;

@@ -161,8 +161,44 @@ void rambla_random_tenth(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * (count / 10));
 }
 
+void bare_all(benchmark::State& state) {
+    const auto count = static_cast<std::uint32_t>(state.range(0));
+    Tables tables{count};
+    const std::vector<Entity> entities = bare_handles(count);
+    for (auto _ : state) {
+        for (Entity entity : entities)
+            tables.add(entity, {});
+        benchmark::ClobberMemory();
+        state.PauseTiming();
+        for (Entity entity : entities)
+            tables.remove(entity);
+        state.ResumeTiming();
+    }
+    state.SetItemsProcessed(state.iterations() * count);
+}
+
+void rambla_all(benchmark::State& state) {
+    const auto count = static_cast<std::uint32_t>(state.range(0));
+    World world;
+    for (std::uint32_t i = 0; i < count; ++i)
+        world.create(Place{}, Speed{});
+    Commands commands;
+    for (auto _ : state) {
+        commands.add_to_all<Force, With<Place>>({});
+        commands.apply(world);
+        benchmark::ClobberMemory();
+        state.PauseTiming();
+        commands.remove_from_all<Force>();
+        commands.apply(world);
+        state.ResumeTiming();
+    }
+    state.SetItemsProcessed(state.iterations() * count);
+}
+
 BENCHMARK(bare_random_tenth)->Name("add_to_random_tenth/bare")->Apply(sizes);
 BENCHMARK(rambla_random_tenth)->Name("add_to_random_tenth/rambla")->Apply(sizes);
+BENCHMARK(bare_all)->Name("add_to_all/bare")->Apply(sizes);
+BENCHMARK(rambla_all)->Name("add_to_all/rambla")->Apply(sizes);
 
 }  // namespace
 }  // namespace rambla::ecs
