@@ -75,6 +75,30 @@ void fill_gaps(const Archetype::Column& column, std::span<const std::uint32_t> g
         column.relocate_row(column.at(gaps[i]), fillers[i]);
 }
 
+/// Copies rows out and, as far as there are fillers, others of the column into their places.
+template <class Row>
+void exchange(std::byte* to, std::byte* base, std::span<const std::uint32_t> rows,
+              std::span<const std::uint32_t> fillers) {
+    for (std::size_t i = 0; i < fillers.size(); ++i) {
+        std::byte* row = base + std::size_t{rows[i]} * sizeof(Row);
+        std::memcpy(to + i * sizeof(Row), row, sizeof(Row));
+        std::memcpy(row, base + std::size_t{fillers[i]} * sizeof(Row), sizeof(Row));
+    }
+    gather<sizeof(Row)>(to + fillers.size() * sizeof(Row), base, rows.subspan(fillers.size()), sizeof(Row));
+}
+
+void exchange(const Archetype::Column& column, std::byte* to, std::span<const std::uint32_t> rows,
+              std::span<const std::uint32_t> fillers) {
+    if (column.moves_by_bytes && column.size == 4)
+        return exchange<std::uint32_t>(to, column.base, rows, fillers);
+    if (column.moves_by_bytes && column.size == 8)
+        return exchange<std::uint64_t>(to, column.base, rows, fillers);
+    if (column.moves_by_bytes && column.size == 12) return exchange<Bytes12>(to, column.base, rows, fillers);
+    if (column.moves_by_bytes && column.size == 16) return exchange<Bytes16>(to, column.base, rows, fillers);
+    gather(column, to, rows);
+    fill_gaps(column, rows.first(fillers.size()), fillers);
+}
+
 void end_rows(const Archetype::Column& column, std::span<const std::uint32_t> rows) {
     if (column.info->destroy == nullptr) return;
     for (std::uint32_t row : rows)
@@ -85,6 +109,14 @@ void end_rows(const Archetype::Column& column, std::span<const std::uint32_t> ro
 
 void BulkRows::reserve(Archetype& archetype, std::uint64_t count) {
     archetype.reserve(archetype.rows() + count);
+}
+
+std::uint32_t BulkRows::create(Archetype& to, std::uint32_t count) const noexcept {
+    if (count == 0) return to.rows_;
+    const std::uint32_t first = grow_rows(to, count);
+    for (std::uint32_t row = first; row < first + count; ++row)
+        to.entities_[row] = entities.take(to.index(), row);
+    return first;
 }
 
 std::uint32_t BulkRows::append(Archetype& to, std::span<const Entity> fresh) const noexcept {
@@ -129,15 +161,42 @@ void BulkRows::end(Archetype& archetype, std::span<const std::uint32_t> rows) co
     }
 }
 
-void BulkRows::close_gaps(Archetype& archetype, std::span<const std::uint32_t> gaps,
-                          std::span<std::uint32_t> fillers) const noexcept {
-    if (gaps.empty()) return;
-    const std::uint32_t old_end = archetype.rows_;
+std::uint32_t BulkRows::move_and_close(Archetype& from, std::span<const std::uint32_t> rows, Archetype& to,
+                                       std::span<std::uint32_t> fillers) const noexcept {
+    const std::uint32_t first = grow_rows(to, static_cast<std::uint32_t>(rows.size()));
+    const std::uint32_t old_end = from.rows_;
+    fillers = fillers.first(find_fillers(old_end, rows, fillers));
+    Entity* moved = to.entities_ + first;
+    exchange<Entity>(reinterpret_cast<std::byte*>(moved), reinterpret_cast<std::byte*>(from.entities_), rows,
+                     fillers);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i + k_ahead < rows.size()) entities.prefetch(moved[i + k_ahead].index);
+        entities.place(moved[i].index, to.index(), first + static_cast<std::uint32_t>(i));
+    }
+    for (std::size_t i = 0; i < fillers.size(); ++i) {
+        if (i + k_ahead < fillers.size()) entities.prefetch(from.entities_[fillers[i + k_ahead]].index);
+        entities[from.entities_[fillers[i]].index].row = rows[i];
+    }
+    for (const Archetype::Column& source : from.columns_) {
+        const ColumnIndex target = to.column_of(source.component);
+        if (target != k_no_column) {
+            exchange(source, to.columns_[target].at(first), rows, fillers);
+        } else {
+            end_rows(source, rows);
+            fill_gaps(source, rows.first(fillers.size()), fillers);
+        }
+    }
+    from.rows_ = old_end - static_cast<std::uint32_t>(rows.size());
+    stamp_each(from, rows.first(fillers.size()));
+    stamp(from, from.rows_, old_end);
+    return first;
+}
+
+std::size_t BulkRows::find_fillers(std::uint32_t old_end, std::span<const std::uint32_t> gaps,
+                                   std::span<std::uint32_t> fillers) noexcept {
     const std::uint32_t end = old_end - static_cast<std::uint32_t>(gaps.size());
-    const auto behind = std::ranges::lower_bound(gaps, end);
-    const std::span<const std::uint32_t> holes{gaps.begin(), behind};
+    auto next_gap = std::ranges::lower_bound(gaps, end);
     std::size_t count = 0;
-    auto next_gap = behind;
     for (std::uint32_t row = end; row < old_end; ++row) {
         if (next_gap != gaps.end() && *next_gap == row) {
             ++next_gap;
@@ -145,18 +204,35 @@ void BulkRows::close_gaps(Archetype& archetype, std::span<const std::uint32_t> g
             fillers[count++] = row;
         }
     }
-    fillers = fillers.first(count);
-    archetype.rows_ = end;
+    return count;
+}
+
+void BulkRows::close_gaps(Archetype& archetype, std::span<const std::uint32_t> gaps,
+                          std::span<std::uint32_t> fillers) const noexcept {
+    if (gaps.empty()) return;
+    const std::uint32_t old_end = archetype.rows_;
+    fillers = fillers.first(find_fillers(old_end, gaps, fillers));
+    const std::span<const std::uint32_t> holes = gaps.first(fillers.size());
+    archetype.rows_ = old_end - static_cast<std::uint32_t>(gaps.size());
     for (const Archetype::Column& column : archetype.columns_)
         fill_gaps(column, holes, fillers);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i + k_ahead < count) entities.prefetch(archetype.entities_[fillers[i + k_ahead]].index);
+    for (std::size_t i = 0; i < fillers.size(); ++i) {
+        if (i + k_ahead < fillers.size()) entities.prefetch(archetype.entities_[fillers[i + k_ahead]].index);
         const Entity filler = archetype.entities_[fillers[i]];
         archetype.entities_[holes[i]] = filler;
         entities[filler.index].row = holes[i];
-        archetype.stamp_rows(holes[i], version);
     }
-    stamp(archetype, end, old_end);
+    stamp_each(archetype, holes);
+    stamp(archetype, archetype.rows_, old_end);
+}
+
+void BulkRows::stamp_each(Archetype& archetype, std::span<const std::uint32_t> rows) const noexcept {
+    std::uint32_t next_chunk = 0;
+    for (std::uint32_t row : rows) {
+        if (row / k_chunk_rows < next_chunk) continue;
+        archetype.stamp_rows(row, version);
+        next_chunk = row / k_chunk_rows + 1;
+    }
 }
 
 bool BulkRows::can_hand_over(const Archetype& from, const Archetype& to) {

@@ -19,6 +19,9 @@ struct BulkRows {
     /// Makes sure that append() has room for `count` rows. Throws CapacityExceeded.
     static void reserve(Archetype& archetype, std::uint64_t count);
 
+    /// Appends rows for new entities, whose slots EntityTable::reserve() has made sure of; their components
+    /// are raw memory that the caller fills. Returns the first.
+    std::uint32_t create(Archetype& to, std::uint32_t count) const noexcept;
     /// Appends rows for these entities, whose components are raw memory that the caller fills. Returns the
     /// first.
     std::uint32_t append(Archetype& to, std::span<const Entity> fresh) const noexcept;
@@ -33,6 +36,10 @@ struct BulkRows {
     void close_gaps(Archetype& archetype, std::span<const std::uint32_t> gaps,
                     std::span<std::uint32_t> fillers) const noexcept;
 
+    /// move() and close_gaps() in one, where no other rows leave `from`: what a row leaves behind is filled
+    /// while it is still in the cache.
+    std::uint32_t move_and_close(Archetype& from, std::span<const std::uint32_t> rows, Archetype& to,
+                                 std::span<std::uint32_t> fillers) const noexcept;
     /// Makes sure that move_all() has room, and whether it may hand over whole columns. May fail.
     static void reserve_all(Archetype& from, Archetype& to);
     /// Moves all rows as move() does. Columns change hands where `to` is empty. Returns the first.
@@ -46,6 +53,10 @@ struct BulkRows {
 private:
     [[nodiscard]] static bool can_hand_over(const Archetype& from, const Archetype& to);
     static void hand_over(Archetype& from, Archetype& to) noexcept;
+    /// The rows behind the new end that do not leave. Returns how many there are.
+    static std::size_t find_fillers(std::uint32_t old_end, std::span<const std::uint32_t> gaps,
+                                    std::span<std::uint32_t> fillers) noexcept;
+    void stamp_each(Archetype& archetype, std::span<const std::uint32_t> rows) const noexcept;
     std::uint32_t grow_rows(Archetype& to, std::uint32_t count) const noexcept;
     void stamp(Archetype& archetype, std::uint32_t first, std::uint32_t end) const noexcept;
 };

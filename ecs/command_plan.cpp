@@ -39,10 +39,13 @@ void CommandPlan::clear() {
     group_of_row_.clear();
     gap_rows_.clear();
     writes_.clear();
+    values_.clear();
     sparse_.clear();
     obsolete_.clear();
     dropped_ = 0;
     creations_ = 0;
+    section_place_ = 0;
+    alike_ = true;
     toggled_from_ = nullptr;
     std::ranges::fill(section_of_archetype_, 0u);
     std::ranges::fill(group_of_archetype_, 0u);  // not all zero after a plan that failed
@@ -55,6 +58,7 @@ void CommandPlan::find_rows(const EntityTable& entities, CreatedEntities created
     for (std::uint32_t i = 0; i < commands_.size(); ++i) {
         if (i + k_ahead < commands_.size()) entities.prefetch(commands_[i + k_ahead].entity.index);
         const Command& command = commands_[i];
+        alike_ = alike_ && command.type == commands_[0].type;
         if (command.type->kind == CommandKind::create) {
             put(creation_key, creations_++, i);
             continue;
@@ -81,12 +85,17 @@ void CommandPlan::find_rows(const EntityTable& entities, CreatedEntities created
 }
 
 void CommandPlan::put(std::uint32_t section_key, std::uint32_t row, std::uint32_t command) {
-    std::uint32_t& place = section_of_archetype_[section_key];
-    if (place == 0) {
-        sections_.push_back({.archetype = section_key});
-        place = static_cast<std::uint32_t>(sections_.size());
-        if (place == 2) section_of_item_.assign(items_.size(), 0);
+    if (section_place_ == 0 || section_key != section_key_) {
+        section_key_ = section_key;
+        std::uint32_t& known = section_of_archetype_[section_key];
+        if (known == 0) {
+            sections_.push_back({.archetype = section_key});
+            known = static_cast<std::uint32_t>(sections_.size());
+            if (known == 2) section_of_item_.assign(items_.size(), 0);
+        }
+        section_place_ = known;
     }
+    const std::uint32_t place = section_place_;
     Section& section = sections_[place - 1];
     section.sorted = section.sorted && row >= section.highest_row;
     section.highest_row = std::max(section.highest_row, row);
@@ -121,6 +130,7 @@ void CommandPlan::sort_by_section() {
 
 void CommandPlan::fold(const Section& section) {
     Archetype* from = section.archetype < archetypes_before_ ? &(*graph_)[section.archetype] : nullptr;
+    if (alike_ && from != nullptr && fold_alike(section, *from)) return;
     const auto first_row = static_cast<std::uint32_t>(rows_.size());
     const auto first_gap = static_cast<std::uint32_t>(gap_rows_.size());
     section_first_group_ = static_cast<std::uint32_t>(groups_.size());
@@ -153,21 +163,54 @@ void CommandPlan::fold(const Section& section) {
     if (gaps != 0) gaps_.push_back({from, first_gap, gaps});
 }
 
-CommandPlan::Fate CommandPlan::fold_single(Archetype& from, const Command& command, Repeat& repeat) {
-    if (command.type != repeat.type) {
-        repeat = {command.type, &from, nullptr, k_no_component, false};
-        if (command.type->kind == CommandKind::destroy) {
-            repeat.to = nullptr;
-        } else {
-            const ComponentInfo& info = *command.type->parts[0].info;
-            const ComponentId component = graph_->component(info);
-            const bool adds = command.type->kind == CommandKind::add;
-            if (from.has(component) != adds) repeat.to = &toggled(from, component);
-            repeat.drops = !adds && !from.has(component);
-            repeat.written = adds && info.size != 0 ? &info : nullptr;
-            repeat.component = component;
+bool CommandPlan::fold_alike(const Section& section, Archetype& from) {
+    const CommandType& type = *commands_[0].type;
+    if (type.beside_columns) return false;
+    const std::span<const RowCommand> items = std::span{items_}.subspan(section.first, section.count);
+    for (std::size_t i = 1; i < items.size(); ++i) {
+        if (items[i].row == items[i - 1].row) return false;
+    }
+    const Repeat fate = fate_of_one(from, type);
+    if (fate.drops) {
+        dropped_ += items.size();
+        return true;
+    }
+    if (fate.to == &from && fate.written == nullptr) return true;
+    const std::size_t first_row = rows_.size();
+    rows_.resize(first_row + items.size());
+    ranges_.resize(rows_.size());
+    group_of_row_.resize(rows_.size());
+    std::uint32_t* row = rows_.data() + first_row;
+    for (const RowCommand& item : items)
+        *row++ = item.row;
+    PlannedGroup group{&from,        fate.to,        static_cast<std::uint32_t>(first_row),     section.count,
+                       fate.written, fate.component, static_cast<std::uint32_t>(values_.size())};
+    if (fate.written != nullptr) {
+        values_.resize(values_.size() + items.size());
+        std::byte** value = values_.data() + group.first_value;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            if (i + k_ahead < items.size()) __builtin_prefetch(&commands_[items[i + k_ahead].command]);
+            value[i] = commands_[items[i].command].values;
         }
     }
+    groups_.push_back(group);
+    if (fate.to == &from) return true;
+    gaps_.push_back({&from, static_cast<std::uint32_t>(gap_rows_.size()), section.count});
+    gap_rows_.insert(gap_rows_.end(), rows_.begin() + static_cast<std::ptrdiff_t>(first_row), rows_.end());
+    return true;
+}
+
+CommandPlan::Repeat CommandPlan::fate_of_one(Archetype& from, const CommandType& type) {
+    if (type.kind == CommandKind::destroy) return {&type, nullptr, nullptr, k_no_component, false};
+    const ComponentInfo& info = *type.parts[0].info;
+    const ComponentId component = graph_->component(info);
+    const bool adds = type.kind == CommandKind::add;
+    Archetype* to = from.has(component) != adds ? &toggled(from, component) : &from;
+    return {&type, to, adds && info.size != 0 ? &info : nullptr, component, !adds && !from.has(component)};
+}
+
+CommandPlan::Fate CommandPlan::fold_single(Archetype& from, const Command& command, Repeat& repeat) {
+    if (command.type != repeat.type) repeat = fate_of_one(from, *command.type);
     if (repeat.drops) ++dropped_;
     if (repeat.written != nullptr) writes_.push_back({command.values, repeat.written, repeat.component});
     return {repeat.to};
@@ -204,6 +247,7 @@ CommandPlan::Fate CommandPlan::fold_run(Archetype* from, std::span<const RowComm
             const bool held = at->has(component);
             if (part.info->storage == Storage::shared && command.type->kind != CommandKind::remove) {
                 at = &graph_->sharing(*at, graph_->intern(*part.info, command.values + part.offset));
+                forget(command.values + part.offset, *part.info);
                 continue;
             }
             if (command.type->kind == CommandKind::remove) {

@@ -46,6 +46,10 @@ struct PlannedGroup {
     Archetype* to;    ///< null where they end; `from` where they stay and get values
     std::uint32_t first;
     std::uint32_t count;
+    /// Set where each row gets one value, of this component; then they are in values() instead of writes().
+    const ComponentInfo* only = nullptr;
+    ComponentId component = k_no_component;
+    std::uint32_t first_value = 0;
 };
 
 /// The rows of one archetype that leave it.
@@ -74,6 +78,10 @@ public:
         return std::span{ranges_}.subspan(group.first, group.count);
     }
     [[nodiscard]] std::span<const PlannedWrite> writes() const { return writes_; }
+    /// Of a group in which each row gets one value of the same component.
+    [[nodiscard]] std::span<std::byte* const> values(const PlannedGroup& group) const {
+        return std::span{values_}.subspan(group.first_value, group.count);
+    }
     /// Ascending.
     [[nodiscard]] std::span<const std::uint32_t> rows(const PlannedGaps& gaps) const {
         return std::span{gap_rows_}.subspan(gaps.first, gaps.count);
@@ -110,9 +118,12 @@ private:
 
     void clear();
     void find_rows(const EntityTable& entities, CreatedEntities created);
+    /// Folds a section whose commands are all of one type and about different rows. Returns whether it was.
+    bool fold_alike(const Section& section, Archetype& from);
     void put(std::uint32_t section_key, std::uint32_t row, std::uint32_t command);
     void sort_by_section();
     void fold(const Section& section);
+    Repeat fate_of_one(Archetype& from, const CommandType& type);
     Fate fold_single(Archetype& from, const Command& command, Repeat& repeat);
     Fate fold_run(Archetype* from, std::span<const RowCommand> run);
     void fold_sparse(Entity entity, const Command& command, const CommandPart& part,
@@ -145,6 +156,7 @@ private:
     std::vector<WriteRange> scratch_ranges_;
     std::vector<std::uint32_t> gap_rows_;
     std::vector<PlannedWrite> writes_;
+    std::vector<std::byte*> values_;
     std::vector<PlannedSparse> sparse_;
     std::vector<ObsoleteValue> obsolete_;
     std::unordered_map<const CommandType*, Archetype*> bundles_;
@@ -153,6 +165,9 @@ private:
     std::vector<ComponentId> signature_;
     std::size_t dropped_ = 0;
     std::uint32_t creations_ = 0;
+    std::uint32_t section_key_ = 0;    ///< of the command put last
+    std::uint32_t section_place_ = 0;  ///< 1 + place in sections_; 0 before the first
+    bool alike_ = true;                ///< all commands are of one type
     std::uint32_t archetypes_before_ = 0;
     std::uint32_t section_first_group_ = 0;
     Archetype* toggled_from_ = nullptr;  ///< the step taken last, and where it led

@@ -191,6 +191,13 @@ void CommandPlayer::commit(std::span<Commands* const> recordings, std::size_t fi
         } else if (group.from == group.to) {
             replace(group);
         } else if (group.to != nullptr) {
+            const bool all_that_leave =
+                gaps != plan_.gaps().end() && gaps->archetype == group.from && gaps->count == group.count;
+            if (all_that_leave) {
+                write(group, bulk.move_and_close(*group.from, plan_.rows(group), *group.to, fillers_));
+                ++gaps;
+                continue;
+            }
             write(group, bulk.move(*group.from, plan_.rows(group), *group.to));
         }
         const bool last_of_section = i + 1 == groups.size() || groups[i + 1].from != group.from;
@@ -240,6 +247,7 @@ void CommandPlayer::append_created(const PlannedGroup& group, const BulkRows& bu
 }
 
 void CommandPlayer::write(const PlannedGroup& group, std::uint32_t first_row) noexcept {
+    if (group.only != nullptr) return write_alike(group, first_row);
     const std::span<const PlannedWrite> writes = plan_.writes();
     ComponentId component = k_no_component;
     const Archetype::Column* column = nullptr;
@@ -261,18 +269,38 @@ void CommandPlayer::write(const PlannedGroup& group, std::uint32_t first_row) no
     }
 }
 
+void CommandPlayer::write_alike(const PlannedGroup& group, std::uint32_t first_row) noexcept {
+    const Archetype::Column& column = group.to->columns()[group.to->column_of(group.component)];
+    const std::span<std::byte* const> values = plan_.values(group);
+    std::uint32_t row = first_row;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i + k_ahead < values.size()) __builtin_prefetch(values[i + k_ahead]);
+        column.take_row(row++, values[i]);
+    }
+}
+
 void CommandPlayer::replace(const PlannedGroup& group) noexcept {
     const std::span<const std::uint32_t> rows = plan_.rows(group);
+    if (group.only != nullptr) {
+        const std::span<std::byte* const> values = plan_.values(group);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            replace_row(group, rows[i], group.component, *group.only, values[i]);
+        return;
+    }
     const std::span<const WriteRange> ranges = plan_.write_ranges(group);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        for (const PlannedWrite& write : plan_.writes().subspan(ranges[i].first, ranges[i].count)) {
-            const ColumnIndex index = group.to->column_of(write.component);
-            const Archetype::Column& column = group.to->columns()[index];
-            if (write.info->destroy != nullptr) write.info->destroy(column.at(rows[i]), 1);
-            column.take_row(rows[i], write.value);
-            group.to->stamp(index, rows[i] / k_chunk_rows, world_.version_);
-        }
+        for (const PlannedWrite& write : plan_.writes().subspan(ranges[i].first, ranges[i].count))
+            replace_row(group, rows[i], write.component, *write.info, write.value);
     }
+}
+
+void CommandPlayer::replace_row(const PlannedGroup& group, std::uint32_t row, ComponentId component,
+                                const ComponentInfo& info, std::byte* value) noexcept {
+    const ColumnIndex index = group.to->column_of(component);
+    const Archetype::Column& column = group.to->columns()[index];
+    destroy_rows(info, column.at(row), 1);
+    column.take_row(row, value);
+    group.to->stamp(index, row / k_chunk_rows, world_.version_);
 }
 
 void CommandPlayer::write_sparse() {

@@ -47,7 +47,10 @@ private:
     [[nodiscard]] CreatedEntities created_of(std::size_t recording) const;
     void append_created(const PlannedGroup& group, const BulkRows& bulk) noexcept;
     void write(const PlannedGroup& group, std::uint32_t first_row) noexcept;
+    void write_alike(const PlannedGroup& group, std::uint32_t first_row) noexcept;
     void replace(const PlannedGroup& group) noexcept;
+    void replace_row(const PlannedGroup& group, std::uint32_t row, ComponentId component,
+                     const ComponentInfo& info, std::byte* value) noexcept;
     void write_sparse();
     void give_created_to(std::span<Commands* const> recordings);
 

@@ -62,6 +62,10 @@ public:
     void destroy(Entity entity) {
         commands_.push_back({entity, &detail::command_type<detail::CommandKind::destroy>(), nullptr});
     }
+    void destroy_many(std::span<const Entity> entities) {
+        for (Entity entity : entities)
+            destroy(entity);
+    }
 
     /// Gives C, or replaces its value, to all entities that fit the terms when it is played:
     ///     commands.add_to_all<Frozen, With<Health>, Without<Burning>>();

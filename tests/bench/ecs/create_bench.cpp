@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "ecs/commands.h"
+#include "ecs/create_many.h"
 #include "ecs/world.h"
 
 namespace rambla::ecs {
@@ -80,8 +82,46 @@ void rambla(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * count);
 }
 
+/// The same arrays in one piece each: what a program does that knows the number beforehand.
+void bare_many(benchmark::State& state) {
+    const auto count = static_cast<std::uint32_t>(state.range(0));
+    for (auto _ : state) {
+        std::vector<Entity> entities(count);
+        std::vector<Slot> slots(count);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            slots[i] = {i, 1};
+            entities[i] = {i, 1};
+        }
+        std::vector<Place> places(count);
+        std::vector<Speed> speeds(count);
+        benchmark::DoNotOptimize(places.data());
+        benchmark::DoNotOptimize(speeds.data());
+        benchmark::DoNotOptimize(entities.data());
+        benchmark::DoNotOptimize(slots.data());
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * count);
+}
+
+void rambla_many(benchmark::State& state) {
+    const auto count = static_cast<std::uint32_t>(state.range(0));
+    World world;
+    Commands commands;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(create_many(world, count, Place{}, Speed{}).data());
+        benchmark::ClobberMemory();
+        state.PauseTiming();
+        commands.destroy_all();
+        commands.apply(world);
+        state.ResumeTiming();
+    }
+    state.SetItemsProcessed(state.iterations() * count);
+}
+
 BENCHMARK(bare)->Name("create/bare")->Apply(sizes);
 BENCHMARK(rambla)->Name("create/rambla")->Apply(sizes);
+BENCHMARK(bare_many)->Name("create_many/bare")->Apply(sizes);
+BENCHMARK(rambla_many)->Name("create_many/rambla")->Apply(sizes);
 
 }  // namespace
 }  // namespace rambla::ecs
