@@ -13,6 +13,7 @@
 #include "game/options.h"
 #include "game/process_memory.h"
 #include "game/stage.h"
+#include "game/state_file.h"
 #include "game/walk_render.h"
 
 namespace rambla::game {
@@ -23,6 +24,8 @@ struct WalkCommand {
     WalkRender render;
     bool no_render = false;
     std::uint64_t steps = 600;
+    std::string load_state;  ///< files; empty: none
+    std::string save_state;
 };
 
 /// What every run of `walk` states, drawn or not.
@@ -38,8 +41,10 @@ nlohmann::json common_json(const WalkCommand& command, const Stage& stage, std::
 }
 
 int simulate(const WalkCommand& command, Stage& stage) {
+    if (!command.load_state.empty()) load_state_file(command.load_state, stage, command.options);
     for (std::uint64_t i = 0; i < command.steps; ++i)
         systems::step(*stage.world);
+    if (!command.save_state.empty()) save_state_file(command.save_state, stage, command.options);
     const nlohmann::json result = common_json(command, stage, command.steps);
     print_result(command.options.json,
                  fmt::format("{} steps, {} entities, state {}\n", command.steps, stage.world->entity_count(),
@@ -120,6 +125,14 @@ Command add_walk(CLI::App& program) {
         ->transform(whole_number())
         ->needs(no_render)
         ->capture_default_str();
+    line->add_option("--load-state", command->load_state,
+                     "Goes on from a saved state of the same scene, seed and origin; with --no-render")
+        ->type_name("FILE")
+        ->needs(no_render);
+    line->add_option("--save-state", command->save_state,
+                     "Saves the state after the steps, for --load-state; with --no-render")
+        ->type_name("FILE")
+        ->needs(no_render);
     add_picture_options(*line, options);
     add_message_options(*line, options);
     return {line, [command] {

@@ -100,6 +100,30 @@ TEST_F(WalkProgram, TheSimulationIsTheSameForAnyNumberOfThreads) {
     EXPECT_NE(one, hash("1", "6")) << "the seed must matter";
 }
 
+TEST_F(WalkProgram, ASavedSimulationGoesOnAsIfItHadNotStopped) {
+    const auto walk = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"walk", "--no-render", "--scene", k_small_city, "--json", "-"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return rambla(arguments, folder);
+    };
+    const auto whole = json(walk({"--steps", "200"}))["state_hash"];
+    const auto half = json(walk({"--steps", "100", "--save-state", "half.state"}))["state_hash"];
+    EXPECT_NE(half, whole);
+    EXPECT_EQ(json(walk({"--steps", "0", "--load-state", "half.state"}))["state_hash"], half);
+    EXPECT_EQ(json(walk({"--steps", "100", "--load-state", "half.state"}))["state_hash"], whole);
+
+    const Ended other = walk({"--seed", "9", "--load-state", "half.state"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_THAT(other.err, testing::HasSubstr("seed 9"));
+    EXPECT_EQ(line_count(other.err), 1u);
+    const std::string bytes = file_text(folder / "half.state");
+    write_file(folder / "short.state", bytes.substr(0, bytes.size() / 2));
+    const Ended cut = walk({"--load-state", "short.state"});
+    EXPECT_EQ(cut.exit_code, 2);
+    EXPECT_THAT(cut.err, testing::HasSubstr("short.state"));
+    EXPECT_EQ(walk({"--load-state", "nowhere.state"}).exit_code, 2);
+}
+
 TEST_F(WalkProgram, FarFromTheWorldsOriginThePictureIsTheSame) {
     const auto walk = [&](const char* origin, const char* out) {
         const Ended ended = rambla({"walk", "--headless", "--scene", k_small_city, "--frames", "1", "--size",
