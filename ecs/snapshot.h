@@ -31,12 +31,11 @@ struct ChainPosition {
 ///  - all entities: rows in their order, generations, and the free slots in the order of their next use, so
 ///    that handles stay valid and later creation continues alike,
 ///  - the described fields of all components, archetype by archetype and column by column,
-///  - which rows are switched off, and the sparse components in their dense order,
+///  - which rows are switched off, shared values, and sparse components in their dense order,
 ///  - the resources that the registry names. Other resources are the caller's.
 /// It does not hold change versions: in the restored world everything counts as written at the version that
 /// the stream ended, so that whoever asks what changed since then is told only later changes.
-/// A component type that the world has and the registry lacks, or that is stored shared, is refused with
-/// Misuse, which names it.
+/// A component type that the world has and the registry lacks is refused with Misuse, which names it.
 ///
 /// Memory is kept from one stream to the next: nothing is allocated when the next is no longer.
 class SnapshotWriter {

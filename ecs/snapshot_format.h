@@ -12,7 +12,8 @@ namespace rambla::ecs::detail {
 ///                 u32 base version, u64 base checksum (0 in a snapshot)
 ///     components  all of the world, by number: name, u8 flags, schema (u32 version, fields: path, u8 kind,
 ///                 u32 count)
-///     archetypes  u32 known before (the empty one in a snapshot), then new ones: u16 component numbers
+///     archetypes  u32 known before (the empty one in a snapshot), then new ones: u16 component numbers,
+///                 values of those that are shared
 ///     rows        archetypes with changes: u32 archetype, u32 rows, runs and entities, then for each column
 ///                 with values its runs and values; a run is u32 first row, u32 rows
 ///     sparse      sets with changes: u32 component, u32 entities, entities, values
@@ -36,5 +37,7 @@ inline constexpr std::uint8_t k_tag_flag = 1;
 inline constexpr std::uint8_t k_transient_flag = 2;
 /// Of a component: in a sparse set, not in archetypes.
 inline constexpr std::uint8_t k_sparse_flag = 4;
+/// Of a component: its value is the archetype's.
+inline constexpr std::uint8_t k_shared_flag = 8;
 
 }  // namespace rambla::ecs::detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <set>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -92,15 +92,13 @@ private:
         const bool converts = has_values && type != nullptr;
         const TypeRegistry::Migration* migration = registry_.migration(name, schema.version);
         parsed_.components.push_back(
-            {type, has_values, (flags & k_sparse_flag) != 0,
+            {type, has_values, (flags & k_sparse_flag) != 0, (flags & k_shared_flag) != 0,
              RowDecoder{std::move(schema), converts ? type->description : nullptr, migration, at}});
     }
 
     static void check_component(const ComponentType& type, std::uint8_t flags, const ComponentInfo* known,
                                 std::size_t at) {
-        const auto wanted = static_cast<std::uint8_t>(
-            (type.info->size == 0 ? k_tag_flag : 0) | (type.transient() ? k_transient_flag : 0) |
-            (type.info->storage == Storage::sparse ? k_sparse_flag : 0));
+        const std::uint8_t wanted = flags_of(type);
         if (flags != wanted) {
             throw SnapshotError{at, quoted(type.name) + " with flags " + std::to_string(flags),
                                 "flags " + std::to_string(wanted)};
@@ -117,9 +115,6 @@ private:
         }
         parsed_.known_archetypes = known;
         const std::uint32_t count = in_.count(sizeof(std::uint32_t));
-        std::set<std::vector<ComponentId>> signatures;
-        for (std::size_t i = 0; i < known && count != 0; ++i)
-            signatures.emplace(graph_[i].signature().begin(), graph_[i].signature().end());
         for (std::uint32_t i = 0; i < count; ++i) {
             std::vector<ComponentId> signature(in_.count(sizeof(ComponentId)));
             for (ComponentId& component : signature)
@@ -131,9 +126,46 @@ private:
                      "ascending numbers below " + std::to_string(parsed_.components.size()));
             }
             check_signature(signature);
-            if (!signatures.insert(signature).second) fail("the same archetype again", "each once");
-            parsed_.archetypes.push_back(std::move(signature));
+            ParsedStream::Archetype archetype{std::move(signature), {}};
+            for (const ComponentId component : archetype.signature)
+                parse_shared(parsed_.components[component], archetype);
+            if (parsed_.dropped.empty() && is_known(archetype)) fail("the same archetype again", "each once");
+            archetypes_with_[archetype.signature].push_back(i);
+            parsed_.archetypes.push_back(std::move(archetype));
         }
+    }
+
+    void parse_shared(const ParsedStream::Component& component, ParsedStream::Archetype& archetype) {
+        if (!component.shared || !component.has_values) return;
+        const std::span<const std::byte> value = component.decoder.take_valid(in_, 1);
+        if (component.type == nullptr) return;
+        archetype.shared.emplace_back(*component.type, 1);
+        component.decoder.decode(value, 1, archetype.shared.back().objects());
+    }
+
+    /// Whether the world or the stream has an archetype of these components and shared values.
+    [[nodiscard]] bool is_known(const ParsedStream::Archetype& archetype) {
+        const auto same = [&](const auto& value_of) {
+            std::size_t i = 0;
+            return std::all_of(archetype.shared.begin(), archetype.shared.end(),
+                               [&](const StagedRows& value) {
+                                   const std::byte* other = value_of(i++);
+                                   const ComponentInfo& info = value.info();
+                                   return info.equal(value.objects(), other) ||
+                                          std::memcmp(value.objects(), other, info.size) == 0;
+                               });
+        };
+        for (std::uint32_t i = 0; i < parsed_.known_archetypes; ++i) {
+            const auto& shared = graph_[i].shared();
+            if (std::ranges::equal(graph_[i].signature(), archetype.signature) &&
+                same([&](std::size_t place) { return shared[place]->bytes; }))
+                return true;
+        }
+        const std::vector<std::uint32_t>& others = archetypes_with_[archetype.signature];
+        return std::any_of(others.begin(), others.end(), [&](std::uint32_t other) {
+            const std::vector<StagedRows>& shared = parsed_.archetypes[other].shared;
+            return same([&](std::size_t place) { return shared[place].objects(); });
+        });
     }
 
     /// No sparse components, and EnableStates exactly where their components are.
@@ -180,12 +212,12 @@ private:
         for (ParsedStream::Run& run : rows.entities)
             run.values = in_.take(std::uint64_t{run.rows} * sizeof(Entity));
         const std::span<const ComponentId> signature =
-            known
-                ? graph_[rows.archetype].signature()
-                : std::span<const ComponentId>{parsed_.archetypes[rows.archetype - parsed_.known_archetypes]};
+            known ? graph_[rows.archetype].signature()
+                  : std::span<const ComponentId>{
+                        parsed_.archetypes[rows.archetype - parsed_.known_archetypes].signature};
         for (const ComponentId component : signature) {
             const ParsedStream::Component& stored = parsed_.components[component];
-            if (!stored.has_values) continue;
+            if (!stored.has_values || stored.shared) continue;
             ParsedStream::Column column{component, parse_runs(rows.rows, old_rows)};
             for (ParsedStream::Run& run : column.runs)
                 run.values = stored.decoder.take_valid(in_, run.rows);
@@ -278,9 +310,18 @@ private:
     const TypeRegistry& registry_;
     bool drop_unknown_;
     ParsedStream& parsed_;
+    std::map<std::vector<ComponentId>, std::vector<std::uint32_t>> archetypes_with_;  ///< new, by signature
 };
 
 }  // namespace
+
+std::uint8_t flags_of(const ComponentType& type) {
+    const ComponentInfo& info = *type.info;
+    return static_cast<std::uint8_t>((info.size == 0 ? k_tag_flag : 0) |
+                                     (type.transient() ? k_transient_flag : 0) |
+                                     (info.storage == Storage::sparse ? k_sparse_flag : 0) |
+                                     (info.storage == Storage::shared ? k_shared_flag : 0));
+}
 
 Entity entity_at(std::span<const std::byte> entities, std::uint32_t row) {
     Entity entity;

@@ -8,6 +8,7 @@
 #include "ecs/row_codec.h"
 #include "ecs/snapshot.h"
 #include "ecs/snapshot_format.h"
+#include "ecs/staged_rows.h"
 
 namespace rambla::ecs::detail {
 
@@ -30,6 +31,7 @@ struct ParsedStream {
         const ComponentType* type;  ///< null: left out
         bool has_values;            ///< in the stream
         bool sparse;
+        bool shared;
         RowDecoder decoder;
     };
     struct Run {
@@ -40,6 +42,10 @@ struct ParsedStream {
     struct Column {
         std::uint32_t component;  ///< number in the stream
         std::vector<Run> runs;
+    };
+    struct Archetype {
+        std::vector<ComponentId> signature;
+        std::vector<StagedRows> shared;  ///< one each, of the shared components that are not left out
     };
     /// What is new in one archetype.
     struct Rows {
@@ -64,7 +70,7 @@ struct ParsedStream {
     StreamHeader header;
     std::vector<Component> components;
     std::uint32_t known_archetypes = 1;
-    std::vector<std::vector<ComponentId>> archetypes;  ///< new ones
+    std::vector<Archetype> archetypes;  ///< new ones
     std::vector<Rows> rows;
     std::vector<Sparse> sparse;
     std::uint32_t slots = 0;
@@ -74,6 +80,9 @@ struct ParsedStream {
     std::vector<Resource> resources;
     std::vector<std::string> dropped;
 };
+
+/// How a component is stored, as streams tell it.
+[[nodiscard]] std::uint8_t flags_of(const ComponentType& type);
 
 [[nodiscard]] Entity entity_at(std::span<const std::byte> entities, std::uint32_t row);
 

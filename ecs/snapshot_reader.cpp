@@ -121,7 +121,7 @@ private:
 
     [[nodiscard]] std::span<const ComponentId> signature_of(std::uint32_t archetype) const {
         if (archetype < parsed_.known_archetypes) return graph_[archetype].signature();
-        return parsed_.archetypes[archetype - parsed_.known_archetypes];
+        return parsed_.archetypes[archetype - parsed_.known_archetypes].signature;
     }
 
     void make_archetypes() {
@@ -132,12 +132,18 @@ private:
         for (std::uint32_t i = 0; i < parsed_.known_archetypes; ++i)
             targets_.push_back(&graph_[i]);
         std::vector<ComponentId> signature;
-        for (const std::vector<ComponentId>& stored : parsed_.archetypes) {
+        std::vector<const SharedValue*> shared;
+        for (const ParsedStream::Archetype& stored : parsed_.archetypes) {
             signature.clear();
-            for (ComponentId component : stored) {
+            for (ComponentId component : stored.signature) {
                 if (ids_[component] != k_no_component) signature.push_back(ids_[component]);
             }
-            targets_.push_back(&graph_.with_signature(signature));
+            shared.clear();
+            for (const StagedRows& value : stored.shared)
+                shared.push_back(&graph_.intern(value.info(), value.objects()));
+            std::sort(shared.begin(), shared.end(),
+                      [](const SharedValue* a, const SharedValue* b) { return a->component < b->component; });
+            targets_.push_back(&graph_.with_signature(signature, shared));
         }
     }
 

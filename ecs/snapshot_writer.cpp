@@ -7,6 +7,7 @@
 #include "ecs/row_codec.h"
 #include "ecs/snapshot.h"
 #include "ecs/snapshot_format.h"
+#include "ecs/snapshot_parse.h"
 #include "ecs/world_access.h"
 
 namespace rambla::ecs {
@@ -71,21 +72,13 @@ void SnapshotWriter::write_components(const World& world) {
             throw Misuse{"ecs: SnapshotWriter: component " + std::string{info.name} +
                          " is not registered: describe it with reflection<>, or add it as transient"};
         }
-        if (info.storage == Storage::shared) {
-            throw Misuse{"ecs: SnapshotWriter: component " + std::string{info.name} +
-                         " is stored shared, which a snapshot cannot hold"};
-        }
         if (types_[i] != type) {
             types_[i] = type;
             const bool has_values = !type->transient() && info.size != 0;
             encoders_[i] = has_values ? std::make_unique<detail::RowEncoder>(*type->description) : nullptr;
         }
-        const std::uint8_t tag = info.size == 0 ? detail::k_tag_flag : std::uint8_t{0};
-        const std::uint8_t transient = type->transient() ? detail::k_transient_flag : std::uint8_t{0};
-        const bool is_sparse = info.storage == Storage::sparse;
-        const std::uint8_t sparse = is_sparse ? detail::k_sparse_flag : std::uint8_t{0};
         out_.text(type->name);
-        out_.number(static_cast<std::uint8_t>(tag | transient | sparse));
+        out_.number(detail::flags_of(*type));
         if (type->transient()) {
             detail::write_schema({{}, 0, {}}, out_);
         } else {
@@ -104,6 +97,8 @@ void SnapshotWriter::write_archetypes(const World& world, const Base* base) {
         out_.number(static_cast<std::uint32_t>(signature.size()));
         for (ComponentId component : signature)
             out_.number(component);
+        for (const SharedValue* value : graph[i].shared())
+            encoders_[value->component]->encode(value->bytes, 1, out_);
     }
 }
 

@@ -36,7 +36,9 @@ public:
     }
     StagedRows& operator=(StagedRows&&) = delete;
 
-    [[nodiscard]] std::byte* objects() { return bytes_.get(); }
+    [[nodiscard]] const ComponentInfo& info() const { return *info_; }
+    /// Not of raw values.
+    [[nodiscard]] std::byte* objects() const { return bytes_.get(); }
 
     /// Makes the objects rows at raw memory. Once.
     void move_to(std::byte* to) noexcept {

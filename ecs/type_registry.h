@@ -59,6 +59,7 @@ public:
     /// Entities keep the component in a snapshot, but not its value: for caches and handles.
     template <Component C>
     void add_transient(std::string_view name) {
+        static_assert(storage_of<C> != Storage::shared, "shared values tell archetypes apart");
         insert(component_type<C>(name, nullptr));
         add_enable_state<C>(name);
     }

@@ -156,6 +156,17 @@ struct reflection<test::Engine> {
         describe<test::Engine>("engine").field("power_w", &test::Engine::power_w, {.unit = "W"});
 };
 template <>
+struct reflection<test::Material> {
+    static constexpr auto value =
+        describe<test::Material>("material").field("number", &test::Material::number);
+};
+template <>
+struct reflection<test::Tint> {
+    static constexpr auto value = describe<test::Tint>("tint")
+                                      .field("kind", &test::Tint::kind)
+                                      .field("strength", &test::Tint::strength);
+};
+template <>
 struct reflection<test::Weather> {
     static constexpr auto value = describe<test::Weather>("weather")
                                       .field("wind_m_s", &test::Weather::wind_m_s)
@@ -179,6 +190,8 @@ inline TypeRegistry test::parts_registry() {
     registry.add<Mark>();
     registry.add<Chosen>();
     registry.add<Engine>();
+    registry.add<Material>();
+    registry.add<Tint>();
     registry.add_transient<Cache>("cache");
     registry.add_resource<Weather>();
     return registry;

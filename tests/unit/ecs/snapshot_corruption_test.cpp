@@ -25,6 +25,8 @@ void populate(World& world) {
     world.add(Entity{2, 1}, Mark{"second"});
     world.add(Entity{7, 1}, Chosen{});
     world.set_enabled<Engine>(world.create(Engine{5}), false);
+    world.create(Material{1}, Tint{2, 0.5});
+    world.create(Material{3}, Tint{2, 0.5});
     world.destroy({4, 1});
     world.destroy({9, 1});
     world.set_resource(Weather{1.5f, "calm"});

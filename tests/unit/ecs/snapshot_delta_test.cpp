@@ -28,7 +28,7 @@ public:
         }
         const std::size_t place = below(static_cast<std::uint32_t>(alive_.size()));
         const Entity entity = alive_[place];
-        switch (below(17)) {
+        switch (below(19)) {
             case 0:
             case 1:
                 world.destroy(entity);
@@ -78,6 +78,12 @@ public:
                 break;
             case 15:
                 world.add(entity, Chosen{});
+                break;
+            case 16:
+                world.add(entity, Material{static_cast<std::uint32_t>(n % 5)});
+                break;
+            case 17:
+                if (world.has<Material>(entity)) world.remove<Material>(entity);
                 break;
             default: {
                 commands_.add(entity, Byte{static_cast<std::uint8_t>(n)});

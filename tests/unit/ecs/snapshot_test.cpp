@@ -158,6 +158,26 @@ TEST(Snapshot, KeepsSparseComponentsInTheirOrderAndWhatIsSwitchedOff) {
     EXPECT_EQ(snapshot_of(*restored.world, registry), snapshot_of(world, registry)) << "dense order too";
 }
 
+TEST(Snapshot, KeepsSharedValues) {
+    const TypeRegistry registry = parts_registry();
+    World world;
+    std::vector<Entity> entities;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        entities.push_back(world.create(Health{static_cast<int>(i)}, Material{i % 7}));
+        if (i % 2 == 0) world.add(entities[i], Tint{static_cast<std::uint8_t>(i % 3), 0.5});
+    }
+    const RestoredWorld restored = read_snapshot(snapshot_of(world, registry), registry);
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        ASSERT_EQ(restored.world->get<Material>(entities[i]).number, i % 7);
+        ASSERT_EQ(restored.world->has<Tint>(entities[i]), i % 2 == 0);
+        if (i % 2 == 0) {
+            ASSERT_EQ(restored.world->get<Tint>(entities[i]), (Tint{static_cast<std::uint8_t>(i % 3), 0.5}));
+        }
+    }
+    EXPECT_EQ(restored.world->archetype_count(), world.archetype_count());
+    EXPECT_EQ(snapshot_of(*restored.world, registry), snapshot_of(world, registry));
+}
+
 TEST(Snapshot, RefusesComponentsThatNobodyDescribed) {
     const TypeRegistry registry = parts_registry();
     World world;
