@@ -79,6 +79,7 @@ struct Team::Impl {
             arrived.fetch_add(1);
             while (arrived.load() < threads && std::chrono::steady_clock::now() < deadline)
                 std::this_thread::yield();
+            hand_over(this);
         };
         arena.execute([&] {
             for (std::size_t i = 1; i < threads; ++i)
@@ -86,6 +87,7 @@ struct Team::Impl {
             report();
             group.wait();
         });
+        take_up(this);
     }
 };
 

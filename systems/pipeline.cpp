@@ -1,33 +1,19 @@
 #include "systems/pipeline.h"
 
-#include <array>
-#include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "systems/look/culling.h"
-#include "systems/look/lights.h"
 #include "systems/look/projection.h"
-#include "systems/pack/queue.h"
+#include "systems/looking.h"
 #include "systems/position.h"
-#include "systems/simulate/actors.h"
+#include "systems/simulate/paths.h"
 #include "systems/simulate/transform.h"
+#include "systems/simulation.h"
 
 namespace rambla::systems {
 namespace {
-
-/// Resource: the systems with the memory that they keep from step to step.
-struct SimulationSystems {
-    ActorMotion actors;
-    TransformPropagation transforms;
-};
-
-/// Resource: the same for looking and packing.
-struct LookSystems {
-    Culling culling;
-    LightSearch lights;
-    PackQueues queues;
-    std::uint64_t frames = 0;
-};
 
 template <class R>
 R& ensure(ecs::World& world) {
@@ -35,11 +21,10 @@ R& ensure(ecs::World& world) {
     return world.resource<R>();
 }
 
-template <class System>
-void timed(SystemTiming& timing, const System& system) {
-    const auto start = std::chrono::steady_clock::now();
-    system();
-    timing.ms = std::chrono::duration<double, std::milli>{std::chrono::steady_clock::now() - start}.count();
+void note(std::vector<SystemTiming>& timings, std::span<const ecs::SystemTime> times) {
+    timings.resize(times.size());
+    for (std::size_t i = 0; i < times.size(); ++i)
+        timings[i] = {times[i].name, static_cast<double>(times[i].ns) * 1.0e-6};
 }
 
 FrameView view_of(const Eye& eye, const WorldPosition& place) {
@@ -65,40 +50,53 @@ bool sun_shines(const assets::Environment& environment) {
 
 }  // namespace
 
+std::vector<SystemTiming> StepTimings::all() const {
+    std::vector<SystemTiming> both = simulation;
+    both.insert(both.end(), looking.begin(), looking.end());
+    return both;
+}
+
+std::size_t worker_threads(const ecs::World& world) {
+    std::size_t threads = 0;
+    if (world.has_resource<Simulation>())
+        threads = std::max(threads, world.resource<Simulation>().schedule->worker_threads());
+    if (world.has_resource<Looking>())
+        threads = std::max(threads, world.resource<Looking>().schedule->worker_threads());
+    return threads;
+}
+
 void step(ecs::World& world) {
-    auto& systems = ensure<SimulationSystems>(world);
-    auto& timings = ensure<StepTimings>(world);
-    timed(timings.actors, [&] { systems.actors(world); });
-    timed(timings.transforms, [&] { systems.transforms(world); });
-    ++ensure<Clock>(world).steps;
+    ensure<Paths>(world);
+    ensure<Clock>(world);
+    if (!world.has_resource<Simulation>()) world.set_resource(make_simulation());
+    ecs::Schedule& schedule = *world.resource<Simulation>().schedule;
+    schedule.run(world);
+    note(ensure<StepTimings>(world).simulation, schedule.times());
 }
 
 void build_frame(ecs::World& world, const Eye& eye, float interpolation, Frame& frame) {
-    auto& systems = ensure<LookSystems>(world);
-    auto& timings = ensure<StepTimings>(world);
-    const auto& facts = ensure<MaterialFacts>(world);
+    if (!world.has_resource<Looking>()) world.set_resource(make_looking());
+    ensure<Culling>(world);
+    ensure<MaterialFacts>(world);
+    auto& looking = world.resource<Looking>();
+    auto& look = ensure<Look>(world);
     const std::uint64_t steps = ensure<Clock>(world).steps;
-    const Observer observer{normalised(eye.place), interpolation};
+    look.observer = {normalised(eye.place), interpolation};
 
-    frame.number = systems.frames++;
+    frame.number = looking.frames++;
     const double shown =
         steps == 0 ? 0.0 : static_cast<double>(steps - 1) + static_cast<double>(interpolation);
     frame.time_s = shown * k_step_s;
-    frame.view = view_of(eye, observer.eye);
+    frame.view = view_of(eye, look.observer.eye);
     frame.environment = ensure<Sunlight>(world).environment;
 
-    const CullVolume camera = frustum_volume(frame.view.clip_from_view * frame.view.view_from_world);
-    const std::array volumes{camera, shadow_caster_volume(camera, frame.environment.direction_to_sun)};
-    const std::size_t views = sun_shines(frame.environment) ? 2 : 1;
-    timed(timings.culling, [&] { systems.culling(world, observer, std::span{volumes}.first(views)); });
-    timed(timings.lights, [&] {
-        frame.counts.lights = systems.lights(world, observer, camera, frame.lights);
-        frame.counts.visible_lights = static_cast<std::uint32_t>(frame.lights.size());
-    });
-    const glm::vec3 forward = -glm::transpose(glm::mat3{frame.view.view_from_world})[2];
-    timed(timings.packing, [&] { systems.queues(systems.culling, observer, forward, facts, frame); });
-    frame.counts.renderables = static_cast<std::uint32_t>(systems.culling.seen_by().size());
-    frame.counts.broken_bounds = systems.culling.broken_bounds();
+    look.camera = frustum_volume(frame.view.clip_from_view * frame.view.view_from_world);
+    look.casters = shadow_caster_volume(look.camera, frame.environment.direction_to_sun);
+    look.shadows = sun_shines(frame.environment);
+    look.forward = -glm::transpose(glm::mat3{frame.view.view_from_world})[2];
+    ensure<FrameUnderWork>(world).frame = &frame;
+    looking.schedule->run(world);
+    note(ensure<StepTimings>(world).looking, looking.schedule->times());
 }
 
 }  // namespace rambla::systems

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <string_view>
+#include <vector>
 
 #include "assets/scene.h"
 #include "ecs/world.h"
@@ -29,22 +31,21 @@ struct Eye {
 
 /// Milliseconds that a system took when it last ran.
 struct SystemTiming {
-    const char* name = "";
+    std::string_view name;
     double ms = 0.0;
 };
 
 /// Resource: what the last step() and build_frame() cost. Measured, hence no part of the simulation's state.
 struct StepTimings {
-    SystemTiming actors{"actors"};
-    SystemTiming transforms{"transforms"};
-    SystemTiming culling{"culling"};
-    SystemTiming lights{"lights"};
-    SystemTiming packing{"packing"};
+    std::vector<SystemTiming> simulation;
+    std::vector<SystemTiming> looking;
 
-    [[nodiscard]] std::array<SystemTiming, 5> all() const {
-        return {actors, transforms, culling, lights, packing};
-    }
+    [[nodiscard]] std::vector<SystemTiming> all() const;
 };
+
+/// How many threads have worked for a world's systems so far, those that called step() and build_frame()
+/// included.
+[[nodiscard]] std::size_t worker_threads(const ecs::World& world);
 
 /// Advances the simulation by one fixed step: actors along their paths, gaits, transforms. Allocates nothing
 /// in a steady state, and gives the same bits for any number of threads.

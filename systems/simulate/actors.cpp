@@ -1,7 +1,5 @@
 #include "systems/simulate/actors.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -101,22 +99,6 @@ glm::vec2 turned(glm::vec2 heading, glm::vec2 wanted, float most_sine, float mos
     return turned_by / std::sqrt(glm::dot(turned_by, turned_by));
 }
 
-/// Below this many rows the work is not worth waking other threads.
-constexpr std::size_t k_parallel_rows = 512;
-
-template <class Chunks, class Job>
-void for_chunks(const Chunks& chunks, const Job& job) {
-    std::size_t rows = 0;
-    for (const auto& chunk : chunks)
-        rows += chunk.local.size();
-    if (rows < k_parallel_rows) {
-        for (const auto& chunk : chunks)
-            job(chunk);
-        return;
-    }
-    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) { job(chunks[i]); });
-}
-
 }  // namespace
 
 float least_turn_m(assets::ActorKind kind) {
@@ -186,54 +168,46 @@ PathFollower advanced(const PathGraph& graph, const PathFollower& follower, std:
     return moved_on;
 }
 
-void ActorMotion::operator()(ecs::World& world) {
-    if (!world.has_resource<Paths>()) return;
-    const Paths& paths = world.resource<Paths>();
-    const ecs::World& actors = world;
-
-    follower_chunks_.clear();
-    for (auto [entities, followers, local, cells, gaits] : followers_.chunks(world)) {
-        follower_chunks_.push_back({entities, followers, local, cells, gaits});
-    }
-    limb_chunks_.clear();
-    for (auto [limbs, local] : limbs_.chunks(world))
-        limb_chunks_.push_back({limbs, local});
-    wheel_chunks_.clear();
-    for (auto [wheels, local] : wheels_.chunks(world))
-        wheel_chunks_.push_back({wheels, local});
-
-    for_chunks(follower_chunks_, [&](const FollowerChunk& chunk) {
+void follow_paths(ecs::View<ecs::Entity, PathFollower, LocalTransform, Cell, ecs::Optional<Gait>> followers,
+                  ecs::Res<Paths> paths) {
+    followers.for_each_chunk([&](const auto& chunk) {
         constexpr auto k_step = static_cast<float>(k_step_s);
-        for (std::size_t i = 0; i < chunk.entities.size(); ++i) {
-            PathFollower& follower = chunk.followers[i];
-            LocalTransform& local = chunk.local[i];
-            const PathGraph& graph = follower.kind == assets::ActorKind::car ? paths.lanes : paths.pavements;
-            follower = advanced(graph, follower, paths.seed, chunk.entities[i].index, k_step);
+        auto [entities, follower_column, local_column, cells, gaits] = chunk;
+        for (std::size_t i = 0; i < entities.size(); ++i) {
+            PathFollower& follower = follower_column[i];
+            LocalTransform& local = local_column[i];
+            const PathGraph& graph =
+                follower.kind == assets::ActorKind::car ? paths->lanes : paths->pavements;
+            follower = advanced(graph, follower, paths->seed, entities[i].index, k_step);
             const WorldPosition place = place_of(graph, follower);
-            chunk.cells[i].value = place.cell;
+            cells[i].value = place.cell;
             local.translation_m = place.local_m;
             local.rotation = facing(follower.heading);
-            if (chunk.gaits.empty()) continue;
-            Gait& gait = chunk.gaits[i];
+            if (gaits.empty()) continue;  // wheels, not legs
+            Gait& gait = gaits[i];
             gait = advanced(gait, follower.speed_m_s, follower.speed_m_s * k_step, local.scale.y);
             local.translation_m.y -= pelvis_drop_m(gait) * local.scale.y;
         }
     });
-    for_chunks(limb_chunks_, [&](const PartChunk<GaitLimb>& chunk) {
-        for (std::size_t i = 0; i < chunk.parts.size(); ++i) {
-            const GaitLimb& limb = chunk.parts[i];
-            if (!actors.alive(limb.actor)) continue;
-            const Gait* gait = actors.try_get<Gait>(limb.actor);
-            if (gait != nullptr) chunk.local[i].rotation = limb_rotation(limb, *gait);
-        }
+}
+
+void swing_limbs(ecs::View<const GaitLimb, LocalTransform> limbs, ecs::Lookup<const Gait> gaits) {
+    limbs.for_each_chunk([&](const auto& chunk) {
+        chunk.each([&](const GaitLimb& limb, LocalTransform& local) {
+            if (!gaits.alive(limb.actor)) return;
+            const Gait* gait = gaits.try_get<Gait>(limb.actor);
+            if (gait != nullptr) local.rotation = limb_rotation(limb, *gait);
+        });
     });
-    for_chunks(wheel_chunks_, [&](const PartChunk<WheelSpin>& chunk) {
-        for (std::size_t i = 0; i < chunk.parts.size(); ++i) {
-            const WheelSpin& wheel = chunk.parts[i];
-            if (!actors.alive(wheel.actor)) continue;
-            const PathFollower* follower = actors.try_get<PathFollower>(wheel.actor);
-            if (follower != nullptr) chunk.local[i].rotation = wheel_rotation(wheel, follower->travelled_m);
-        }
+}
+
+void roll_wheels(ecs::View<const WheelSpin, LocalTransform> wheels, ecs::Lookup<const PathFollower> cars) {
+    wheels.for_each_chunk([&](const auto& chunk) {
+        chunk.each([&](const WheelSpin& wheel, LocalTransform& local) {
+            if (!cars.alive(wheel.actor)) return;
+            const PathFollower* car = cars.try_get<PathFollower>(wheel.actor);
+            if (car != nullptr) local.rotation = wheel_rotation(wheel, car->travelled_m);
+        });
     });
 }
 

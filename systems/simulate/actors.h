@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
-#include "ecs/query.h"
-#include "ecs/world.h"
+#include "ecs/res.h"
+#include "ecs/view.h"
 #include "systems/components.h"
 #include "systems/simulate/paths.h"
 
@@ -29,37 +27,14 @@ namespace rambla::systems {
 [[nodiscard]] PathFollower advanced(const PathGraph& graph, const PathFollower& follower, std::uint64_t seed,
                                     std::uint64_t who, float step_s);
 
-/// Moves all actors by one step: followers along the Paths resource, then limbs and wheels as far as their
-/// actors went.
-class ActorMotion {
-public:
-    /// Allocates nothing in a steady state.
-    void operator()(ecs::World& world);
+/// System: moves followers along their paths by one step, and their gaits as far as they went.
+void follow_paths(ecs::View<ecs::Entity, PathFollower, LocalTransform, Cell, ecs::Optional<Gait>> followers,
+                  ecs::Res<Paths> paths);
 
-private:
-    using Followers = ecs::Query<ecs::Entity, PathFollower, LocalTransform, Cell, ecs::Optional<Gait>>;
-    using Limbs = ecs::Query<const GaitLimb, LocalTransform>;
-    using Wheels = ecs::Query<const WheelSpin, LocalTransform>;
+/// System: turns the limbs of walkers as their gaits say.
+void swing_limbs(ecs::View<const GaitLimb, LocalTransform> limbs, ecs::Lookup<const Gait> gaits);
 
-    struct FollowerChunk {
-        std::span<const ecs::Entity> entities;
-        std::span<PathFollower> followers;
-        std::span<LocalTransform> local;
-        std::span<Cell> cells;
-        std::span<Gait> gaits;  ///< empty: wheels, not legs
-    };
-    template <class Part>
-    struct PartChunk {
-        std::span<const Part> parts;
-        std::span<LocalTransform> local;
-    };
-
-    Followers followers_;
-    Limbs limbs_;
-    Wheels wheels_;
-    std::vector<FollowerChunk> follower_chunks_;
-    std::vector<PartChunk<GaitLimb>> limb_chunks_;
-    std::vector<PartChunk<WheelSpin>> wheel_chunks_;
-};
+/// System: turns wheels as far as their cars went.
+void roll_wheels(ecs::View<const WheelSpin, LocalTransform> wheels, ecs::Lookup<const PathFollower> cars);
 
 }  // namespace rambla::systems

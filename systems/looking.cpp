@@ -1,0 +1,57 @@
+#include "systems/looking.h"
+
+#include <array>
+#include <span>
+
+#include "systems/components.h"
+#include "systems/look/culling.h"
+#include "systems/look/lights.h"
+#include "systems/pack/queue.h"
+
+namespace rambla::systems {
+namespace {
+
+void cull_all(ecs::World& world, ecs::Res<Look> look, ecs::ResMut<Culling> culling) {
+    const std::array volumes{look->camera, look->casters};
+    (*culling)(world, look->observer, std::span{volumes}.first(look->shadows ? 2 : 1));
+}
+
+/// With what it keeps between Frames.
+struct FindLights {
+    LightSearch search;
+
+    void operator()(ecs::World& world, ecs::Res<Look> look, ecs::ResMut<FrameUnderWork> work) {
+        Frame& frame = *work->frame;
+        frame.counts.lights = search(world, look->observer, look->camera, frame.lights);
+        frame.counts.visible_lights = static_cast<std::uint32_t>(frame.lights.size());
+    }
+};
+
+struct Pack {
+    PackQueues queues;
+
+    void operator()(ecs::Res<Culling> culling, ecs::Res<Look> look, ecs::Res<MaterialFacts> facts,
+                    ecs::ResMut<FrameUnderWork> work) {
+        Frame& frame = *work->frame;
+        queues(*culling, look->observer, look->forward, *facts, frame);
+        frame.counts.renderables = static_cast<std::uint32_t>(culling->seen_by().size());
+        frame.counts.broken_bounds = culling->broken_bounds();
+    }
+};
+
+}  // namespace
+
+Looking make_looking() {
+    Looking looking{std::make_unique<ecs::Schedule>()};
+    ecs::Schedule& schedule = *looking.schedule;
+    schedule.add("culling", cull_all)
+        .reads<WorldTransform, PreviousWorldTransform, Renderable, LocalBounds>();
+    schedule.add("lights", FindLights{}).reads<WorldTransform, PreviousWorldTransform, LocalLight>();
+    schedule.add("packing", Pack{})
+        .after("culling")
+        .after("lights")
+        .reads<WorldTransform, PreviousWorldTransform, Renderable>();  // through what culling found
+    return looking;
+}
+
+}  // namespace rambla::systems
