@@ -75,12 +75,14 @@ struct Team::Impl {
         std::atomic<std::size_t> arrived{0};
         const auto deadline = std::chrono::steady_clock::now() + k_longest_muster;
         const auto report = [&] {
+            take_up(this);
             answer_roll();
             arrived.fetch_add(1);
             while (arrived.load() < threads && std::chrono::steady_clock::now() < deadline)
                 std::this_thread::yield();
             hand_over(this);
         };
+        hand_over(this);
         arena.execute([&] {
             for (std::size_t i = 1; i < threads; ++i)
                 group.run(report);
