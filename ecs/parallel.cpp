@@ -37,7 +37,7 @@ void take_up(void*) {}
 #endif
 
 /// Long enough for any system that grants the threads at all.
-constexpr std::chrono::milliseconds k_longest_muster{500};
+constexpr std::chrono::seconds k_longest_muster{1};
 
 std::uint64_t next_team_number() {
     static std::atomic<std::uint64_t> next{1};
@@ -72,19 +72,20 @@ struct Team::Impl {
 
     /// One job per thread, none of which ends before all have begun: so each needs a thread of its own.
     void muster() {
+        const std::size_t expected = std::min(threads, allowed_threads());
         std::atomic<std::size_t> arrived{0};
         const auto deadline = std::chrono::steady_clock::now() + k_longest_muster;
         const auto report = [&] {
             take_up(this);
             answer_roll();
             arrived.fetch_add(1);
-            while (arrived.load() < threads && std::chrono::steady_clock::now() < deadline)
+            while (arrived.load() < expected && std::chrono::steady_clock::now() < deadline)
                 std::this_thread::yield();
             hand_over(this);
         };
         hand_over(this);
         arena.execute([&] {
-            for (std::size_t i = 1; i < threads; ++i)
+            for (std::size_t i = 1; i < expected; ++i)
                 group.run(report);
             report();
             group.wait();

@@ -11,6 +11,7 @@
 #include "game/exit_code.h"
 #include "game/json_output.h"
 #include "game/options.h"
+#include "game/schedule_report.h"
 #include "game/window.h"
 #include "render/gl/context.h"
 
@@ -96,8 +97,22 @@ nlohmann::json to_json(const render::DeviceInfo& device, const std::vector<std::
             {"advice", advice}};
 }
 
-int run(const Options& options) {
+struct DoctorCommand {
+    Options options;
+    bool schedule = false;
+};
+
+int tell_schedule(const Options& options) {
+    const std::vector<NamedPlan> plans = engine_plans();
+    print_result(options.json, plans_text(plans));
+    write_json(options.json, plans_json(plans));
+    return k_done;
+}
+
+int run(const DoctorCommand& command) {
+    const Options& options = command.options;
     prepare_json(options.json);
+    if (command.schedule) return tell_schedule(options);
     const render::DeviceInfo device = render::query_device({});
     const bool good =
         std::all_of(device.features.begin(), device.features.end(), [](const auto& f) { return meets(f); }) &&
@@ -113,10 +128,13 @@ int run(const Options& options) {
 Command add_doctor(CLI::App& program) {
     CLI::App* const line =
         program.add_subcommand("doctor", "Says what this machine offers, and what would help");
-    const auto options = std::make_shared<Options>();
-    add_message_options(*line, *options);
-    return {line, [options] {
-                return run(*options);
+    const auto command = std::make_shared<DoctorCommand>();
+    line->add_flag("--schedule", command->schedule,
+                   "Tells instead which systems the engine runs, what they touch, and which wait for which "
+                   "and why; needs no GPU");
+    add_message_options(*line, command->options);
+    return {line, [command] {
+                return run(*command);
             }};
 }
 

@@ -34,6 +34,7 @@ nlohmann::json common_json(const WalkCommand& command, const Stage& stage, std::
             {"scene", command.options.scene},
             {"seed", command.options.seed},
             {"threads", worker_count()},
+            {"worker_threads", systems::worker_threads(*stage.world)},
             {"steps", steps},
             {"entities", stage.world->entity_count()},
             {"state_hash", fmt::format("{:016x}", systems::state_hash(*stage.world))},

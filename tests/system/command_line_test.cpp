@@ -186,5 +186,15 @@ TEST_F(CommandLineProgram, DoctorKnowsTheDevice) {
     EXPECT_FALSE(result["limits"].empty());
 }
 
+TEST_F(CommandLineProgram, DoctorTellsTheSchedule) {
+    const Ended ended = rambla({"doctor", "--schedule", "--json", "-"}, folder);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    const nlohmann::json result = nlohmann::json::parse(ended.out);
+    EXPECT_EQ(result["schema"], "rambla.schedule/1");
+    ASSERT_EQ(result["schedules"].size(), 2u);
+    EXPECT_EQ(result["schedules"][0]["name"], "simulation");
+    EXPECT_THAT(rambla({"doctor", "--schedule"}, folder).out, HasSubstr("waits for actors"));
+}
+
 }  // namespace
 }  // namespace rambla::system_test

@@ -89,15 +89,20 @@ TEST_F(WalkProgram, TwoHundredFramesHoldNoMoreThanFifty) {
 }
 
 TEST_F(WalkProgram, TheSimulationIsTheSameForAnyNumberOfThreads) {
-    const auto hash = [&](const char* threads, const char* seed) {
+    const auto walk = [&](const char* threads, const char* seed) {
         return json(rambla({"walk", "--no-render", "--steps", "300", "--threads", threads, "--seed", seed,
                             "--scene", "city:blocks=2x2,walkers=300,cars=20", "--json", "-"},
-                           folder))["state_hash"]
-            .get<std::string>();
+                           folder));
     };
-    const std::string one = hash("1", "5");
-    EXPECT_EQ(one, hash("2", "5"));
-    EXPECT_NE(one, hash("1", "6")) << "the seed must matter";
+    const nlohmann::json one = walk("1", "5");
+    const nlohmann::json two = walk("2", "5");
+    const nlohmann::json eight = walk("8", "5");
+    EXPECT_EQ(one["state_hash"], two["state_hash"]);
+    EXPECT_EQ(one["state_hash"], eight["state_hash"]);
+    EXPECT_NE(one["state_hash"], walk("1", "6")["state_hash"]) << "the seed must matter";
+    EXPECT_EQ(one["worker_threads"], 1);
+    EXPECT_EQ(two["worker_threads"], 2);
+    EXPECT_EQ(eight["worker_threads"], 8) << "whatever the number of cores";
 }
 
 TEST_F(WalkProgram, ASavedSimulationGoesOnAsIfItHadNotStopped) {

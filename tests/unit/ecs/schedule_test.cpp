@@ -70,6 +70,25 @@ TEST(Schedule, SystemsWithoutConflictRunSideBySide) {
     schedule.run(world);
 }
 
+/// Undefined behaviour on purpose: run under the thread sanitizer alone (tests/CMakeLists.txt), which must
+/// see it, or else its silence about the other tests means nothing.
+TEST(Schedule, DISABLED_SystemsThatRace) {
+    World world;
+    std::atomic<int> arrived{0};
+    int shared = 0;
+    const auto race = [&] {
+        arrived.fetch_add(1, std::memory_order_relaxed);  // relaxed: orders nothing, hides nothing
+        while (arrived.load(std::memory_order_relaxed) < 2)
+            std::this_thread::yield();
+        ++shared;
+    };
+    Schedule schedule{{.threads = 2}};
+    schedule.add("a", [&](View<Position>) { race(); });
+    schedule.add("b", [&](View<Velocity>) { race(); });
+    schedule.run(world);
+    EXPECT_EQ(shared, 2);
+}
+
 TEST(Schedule, ConflictingSystemsDoNot) {
     World world;
     world.set_resource(Health{});
