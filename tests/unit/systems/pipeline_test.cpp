@@ -236,6 +236,7 @@ TEST(Simulation, GivesTheSameBitsForAnyNumberOfThreads) {
         for (int i = 0; i < 60; ++i)
             step(world);
         build_frame(world, eye_at({0, 30, 60}), 0.25f, frame);
+        EXPECT_EQ(worker_threads(world), threads) << "whatever the number of cores";
         return state_hash(world);
     };
     Frame one, two, eight;
