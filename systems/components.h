@@ -11,6 +11,7 @@
 #include "assets/scene.h"
 #include "ecs/component.h"
 #include "ecs/entity.h"
+#include "ecs/parent.h"
 
 namespace rambla::systems {
 
@@ -36,9 +37,7 @@ struct LocalTransform {
     glm::vec3 scale{1.0f};
 };
 
-struct Parent {
-    ecs::Entity entity;
-};
+using ecs::Parent;
 
 /// Where an entity is: affine map from its own space to the corner of `cell`. Written by the transform system
 /// only.
@@ -141,10 +140,6 @@ struct WheelSpin {
 }  // namespace rambla::systems
 
 /// Members that hold entities, for recorded commands.
-template <>
-struct rambla::ecs::entity_members<rambla::systems::Parent> {
-    static constexpr std::tuple value{&rambla::systems::Parent::entity};
-};
 template <>
 struct rambla::ecs::entity_members<rambla::systems::GaitLimb> {
     static constexpr std::tuple value{&rambla::systems::GaitLimb::actor};

@@ -1,5 +1,6 @@
 #include "systems/reflection.h"
 
+#include "ecs/reflect_parent.h"
 #include "systems/saved_state.h"
 
 namespace rambla::ecs {
@@ -36,10 +37,6 @@ struct reflection<LocalTransform> {
                                       .field("translation_m", &LocalTransform::translation_m, {.unit = "m"})
                                       .field("rotation", &LocalTransform::rotation, {.min = -1.0, .max = 1.0})
                                       .field("scale", &LocalTransform::scale);
-};
-template <>
-struct reflection<Parent> {
-    static constexpr auto value = describe<Parent>("parent").field("entity", &Parent::entity);
 };
 template <>
 struct reflection<WorldTransform> {
