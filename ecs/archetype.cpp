@@ -44,6 +44,10 @@ Archetype::Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector
         column_of_[signature_[i]] = tag ? k_tag_column : static_cast<ColumnIndex>(columns_.size());
         if (tag) continue;
         columns_.push_back({nullptr, infos[i], infos[i]->size, signature_[i], infos[i]->relocate == nullptr});
+        if (infos[i]->row_mask && row_changes_.size() < k_no_row_changes) {
+            columns_.back().row_changes = static_cast<std::uint8_t>(row_changes_.size());
+            row_changes_.emplace_back();
+        }
         ends_quietly_ = ends_quietly_ && infos[i]->destroy == nullptr;
         has_companions_ = has_companions_ || infos[i]->is_companion;
     }
@@ -91,6 +95,10 @@ void Archetype::age_versions(std::uint32_t oldest) noexcept {
     for (std::uint32_t& version : latest_)
         version = later(version, oldest);
     rows_version_ = later(rows_version_, oldest);
+    for (RowChanges& changes : row_changes_) {
+        for (ChunkChanges& chunk : changes)
+            chunk.age(oldest);
+    }
 }
 
 std::size_t Archetype::memory_bytes() const {
@@ -101,7 +109,54 @@ std::size_t Archetype::memory_bytes() const {
         (versions_.capacity() + latest_.capacity()) * sizeof(std::uint32_t);
     for (const ReservedMemory& memory : reserved_)
         bytes += memory.committed_bytes();
+    for (const RowChanges& changes : row_changes_)
+        bytes += sizeof(RowChanges) + changes.capacity() * sizeof(ChunkChanges);
     return bytes;
+}
+
+std::size_t Archetype::row_memory_bytes() const {
+    if (block_ != nullptr) return block_bytes(capacity_);
+    std::size_t bytes = 0;
+    for (const ReservedMemory& memory : reserved_)
+        bytes += memory.committed_bytes();
+    return bytes;
+}
+
+std::uint64_t Archetype::changed_rows(ColumnIndex column, std::uint32_t chunk, std::uint32_t since) const {
+    const std::uint8_t place = columns_[column].row_changes;
+    const bool rows_changed = is_after(versions_[chunk * version_stride()], since);
+    if (rows_changed || place == k_no_row_changes)
+        return is_after(version(column, chunk), since) ? ChunkChanges::k_all : 0;
+    return row_changes_[place][chunk].after(since);
+}
+
+void Archetype::compact() {
+    const auto fitting = static_cast<std::uint32_t>(round_up(rows_, k_row_padding));
+    if (rows_ == 0) {
+        release_block();
+        std::vector<ReservedMemory>{}.swap(reserved_);
+        entities_ = nullptr;
+        for (Column& column : columns_)
+            column.base = nullptr;
+    } else if (!reserved_.empty() && fitting > k_pooled_rows) {
+        for (std::size_t i = 0; i < reserved_.size(); ++i)
+            reserved_[i].decommit(stagger(i) + std::size_t{fitting} * row_bytes(i));
+    } else if (!reserved_.empty() || fitting < capacity_) {
+        grow_block(fitting);
+        std::vector<ReservedMemory>{}.swap(reserved_);
+    }
+    capacity_ = fitting;
+    shrink_versions();
+}
+
+void Archetype::shrink_versions() {
+    const std::size_t chunks = (std::size_t{capacity_} + k_chunk_rows - 1) / k_chunk_rows;
+    versions_.resize(chunks * version_stride());
+    versions_.shrink_to_fit();
+    for (RowChanges& changes : row_changes_) {
+        changes.resize(chunks, ChunkChanges{storage_.oldest_version});
+        changes.shrink_to_fit();
+    }
 }
 
 void Archetype::grow() {
@@ -177,6 +232,9 @@ void Archetype::reserve_versions(std::uint32_t capacity) {
     const std::size_t chunks = (std::size_t{capacity} + k_chunk_rows - 1) / k_chunk_rows;
     if (versions_.size() < chunks * version_stride())
         versions_.resize(chunks * version_stride(), storage_.oldest_version);
+    for (RowChanges& changes : row_changes_) {
+        if (changes.size() < chunks) changes.resize(chunks, ChunkChanges{storage_.oldest_version});
+    }
 }
 
 template <class NextBase>

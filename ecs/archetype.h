@@ -10,6 +10,7 @@
 #include "ecs/component.h"
 #include "ecs/memory.h"
 #include "ecs/relocate.h"
+#include "ecs/row_changes.h"
 #include "ecs/shared_values.h"
 #include "ecs/version.h"
 
@@ -38,6 +39,8 @@ struct BulkRows;
 
 /// What all archetypes of a world share.
 struct ArchetypeStorage {
+    explicit ArchetypeStorage(std::pmr::memory_resource* memory) : pool{memory} {}
+
     BlockPool pool;
     std::uint32_t max_rows = 0;
     /// No version is older; what was never written has it. Keeps distances below 2³¹.
@@ -56,12 +59,15 @@ struct ArchetypeStorage {
 /// they do; what follows cannot fail.
 class Archetype {
 public:
+    static constexpr std::uint8_t k_no_row_changes = 0xff;
+
     struct Column {
         std::byte* base = nullptr;
         const ComponentInfo* info = nullptr;
         std::uint32_t size = 0;  ///< info->size, here because every move of a row needs it
         ComponentId component = k_no_component;
         bool moves_by_bytes = true;
+        std::uint8_t row_changes = k_no_row_changes;  ///< place among the archetype's RowChanges
 
         [[nodiscard]] std::byte* at(std::uint32_t row) const {
             return base + static_cast<std::size_t>(row) * size;
@@ -166,18 +172,31 @@ public:
     }
     /// The latest of these over all chunks.
     [[nodiscard]] std::uint32_t rows_version() const { return rows_version_; }
-    /// Marks a chunk's column as written. Several threads may stamp different chunks of one column with the
-    /// same version.
+    /// Marks all rows of a chunk's column as written. Several threads may stamp different chunks of one
+    /// column with the same version.
     void stamp(ColumnIndex column, std::uint32_t chunk, std::uint32_t version) noexcept {
-        versions_[chunk * version_stride() + 1u + column] = version;
-        std::atomic_ref<std::uint32_t> latest{latest_[column]};
-        // Writing only what is new keeps the line shared among the threads of one system.
-        if (latest.load(std::memory_order_relaxed) != version)
-            latest.store(version, std::memory_order_relaxed);
+        stamp_version(column, chunk, version);
+        if (!row_changes_.empty()) mark_rows(column, chunk, ChunkChanges::k_all, version);
     }
+    /// Marks one row of a column as written.
+    void stamp_row(ColumnIndex column, std::uint32_t row, std::uint32_t version) noexcept {
+        stamp_version(column, row / k_chunk_rows, version);
+        if (row_changes_.empty()) return;
+        const std::uint32_t bit = row % k_chunk_rows / ChunkChanges::k_rows_per_bit;
+        mark_rows(column, row / k_chunk_rows, std::uint64_t{1} << bit, version);
+    }
+    /// The rows of a chunk that may have been written after `since`, as ChunkChanges tells them; all where
+    /// rows came or went, or where the component has no row mask.
+    [[nodiscard]] std::uint64_t changed_rows(ColumnIndex column, std::uint32_t chunk,
+                                             std::uint32_t since) const;
     /// Raises all versions older than `oldest` to it.
     void age_versions(std::uint32_t oldest) noexcept;
 
+    /// Gives back memory that holds no row; moves rows to a block of the pool if they fit into one.
+    void compact();
+    /// Columns, in an own address range or a block of the pool.
+    [[nodiscard]] std::size_t row_memory_bytes() const;
+    [[nodiscard]] bool has_reservation() const { return !reserved_.empty(); }
     /// Memory of its own: committed columns and tables; blocks of the pool are counted by the pool.
     [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -209,6 +228,19 @@ private:
         versions_[row / k_chunk_rows * version_stride()] = version;
         rows_version_ = version;
     }
+    void stamp_version(ColumnIndex column, std::uint32_t chunk, std::uint32_t version) noexcept {
+        versions_[chunk * version_stride() + 1u + column] = version;
+        std::atomic_ref<std::uint32_t> latest{latest_[column]};
+        // Writing only what is new keeps the line shared among the threads of one system.
+        if (latest.load(std::memory_order_relaxed) != version)
+            latest.store(version, std::memory_order_relaxed);
+    }
+    void mark_rows(ColumnIndex column, std::uint32_t chunk, std::uint64_t bits,
+                   std::uint32_t version) noexcept {
+        const std::uint8_t place = columns_[column].row_changes;
+        if (place != k_no_row_changes) row_changes_[place][chunk].mark(bits, version);
+    }
+    void shrink_versions();
     /// EnableStates are zero in a new row.
     void clear_companions(std::uint32_t row) noexcept;
 
@@ -228,6 +260,7 @@ private:
     std::byte* block_ = nullptr;            ///< all columns, while they share a block
     std::vector<ReservedMemory> reserved_;  ///< entities, then the columns, once each has its own
     std::vector<std::uint32_t> versions_;   ///< per chunk: rows coming and going, then one per column
+    std::vector<RowChanges> row_changes_;   ///< of the columns that keep them
     std::vector<std::uint32_t> latest_;     ///< per column, of versions_ over all chunks
 };
 

@@ -36,7 +36,9 @@ void reserve_one(std::vector<T>& vector) {
 
 }  // namespace
 
-ArchetypeGraph::ArchetypeGraph(std::uint32_t max_rows, bool reserves, std::uint32_t oldest_version) {
+ArchetypeGraph::ArchetypeGraph(std::uint32_t max_rows, bool reserves, std::uint32_t oldest_version,
+                               std::pmr::memory_resource* memory)
+    : storage_{memory} {
     storage_.oldest_version = oldest_version;
     storage_.max_rows = usable_max_rows(max_rows);
     storage_.reserves = reserves && ReservedMemory::grows_in_place;
@@ -137,6 +139,14 @@ void ArchetypeGraph::age_versions(std::uint32_t oldest) noexcept {
         archetype->age_versions(oldest);
     for (const auto& set : sparse_.all())
         set->age_versions(oldest);
+}
+
+void ArchetypeGraph::compact() {
+    for (const auto& archetype : archetypes_)
+        archetype->compact();
+    for (const auto& set : sparse_.all())
+        set->compact();
+    storage_.pool.compact();
 }
 
 std::size_t ArchetypeGraph::memory_bytes() const {

@@ -22,7 +22,9 @@ struct WorldAccess;
 class ArchetypeGraph {
 public:
     /// @param oldest_version  what was never written has it
-    ArchetypeGraph(std::uint32_t max_rows, bool reserves, std::uint32_t oldest_version);
+    /// @param memory          of the pool; null: the heap
+    ArchetypeGraph(std::uint32_t max_rows, bool reserves, std::uint32_t oldest_version,
+                   std::pmr::memory_resource* memory);
 
     /// Number of a component; the first call gives it one. Throws CapacityExceeded after 65 533 components.
     ComponentId component(const ComponentInfo& info);
@@ -63,6 +65,8 @@ public:
     [[nodiscard]] Archetype& operator[](std::size_t index) const { return *archetypes_[index]; }
     /// Raises all change versions older than `oldest` to it.
     void age_versions(std::uint32_t oldest) noexcept;
+    /// Gives back memory that holds nothing.
+    void compact();
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:

@@ -1,6 +1,11 @@
 #include "ecs/block_pool.h"
 
+#include <algorithm>
 #include <bit>
+#include <functional>
+#include <iterator>
+#include <new>
+#include <utility>
 
 #include "ecs/misuse.h"
 
@@ -8,7 +13,6 @@ namespace rambla::ecs {
 namespace {
 
 constexpr std::size_t k_grain = 64;
-constexpr std::align_val_t k_alignment{k_grain};
 
 /// Classes 0…3 hold 64, 128, 192, 256 bytes; from there each doubling has four equal steps.
 constexpr std::size_t size_of_class(std::size_t size_class) {
@@ -33,16 +37,22 @@ static_assert(size_of_class(class_of(513)) == 640);
 static_assert(size_of_class(27) == BlockPool::k_largest_pooled &&
               class_of(BlockPool::k_largest_pooled) == 27);
 
-std::byte* allocate(std::size_t bytes) {
-    void* memory = ::operator new(bytes, k_alignment, std::nothrow);
-    if (memory == nullptr) detail::throw_no_memory("memory", bytes);
-    return static_cast<std::byte*>(memory);
-}
-
 }  // namespace
 
-void BlockPool::AlignedDelete::operator()(std::byte* slab) const noexcept {
-    ::operator delete(slab, k_alignment);
+BlockPool::BlockPool(std::pmr::memory_resource* memory)
+    : memory_{memory != nullptr ? memory : std::pmr::new_delete_resource()} {}
+
+BlockPool::~BlockPool() {
+    for (std::byte* slab : slabs_)
+        memory_->deallocate(slab, k_slab_bytes, k_grain);
+}
+
+std::byte* BlockPool::allocate(std::size_t bytes) {
+    try {
+        return static_cast<std::byte*>(memory_->allocate(bytes, k_grain));
+    } catch (const std::bad_alloc&) {
+        detail::throw_no_memory("memory", bytes);
+    }
 }
 
 std::byte* BlockPool::take(std::size_t bytes) {
@@ -60,7 +70,7 @@ std::byte* BlockPool::take(std::size_t bytes) {
 
 void BlockPool::give_back(std::byte* block, std::size_t bytes) noexcept {
     if (bytes > k_largest_pooled) {
-        ::operator delete(block, k_alignment);
+        memory_->deallocate(block, bytes, k_grain);
         large_bytes_ -= bytes;
         return;
     }
@@ -69,21 +79,58 @@ void BlockPool::give_back(std::byte* block, std::size_t bytes) noexcept {
 
 std::byte* BlockPool::cut(std::size_t bytes) {
     if (k_slab_bytes - used_of_last_ < bytes) {
-        std::unique_ptr<std::byte, AlignedDelete> slab{allocate(k_slab_bytes)};
-        slabs_.reserve(slabs_.size() + 1);
-        while (used_of_last_ < k_slab_bytes) {  // what is left of the old slab serves smaller requests
-            const std::size_t left = k_slab_bytes - used_of_last_;
-            const std::size_t fitting = class_of(left);
-            const std::size_t size_class = size_of_class(fitting) <= left ? fitting : fitting - 1;
-            add_free(slabs_.back().get() + used_of_last_, size_class);
-            used_of_last_ += size_of_class(size_class);
-        }
-        slabs_.push_back(std::move(slab));
+        if (slabs_.size() == slabs_.capacity()) slabs_.reserve(std::max<std::size_t>(8, slabs_.size() * 2));
+        std::byte* slab = allocate(k_slab_bytes);
+        cut_rest();
+        slabs_.push_back(slab);
         used_of_last_ = 0;
     }
-    std::byte* block = slabs_.back().get() + used_of_last_;
+    std::byte* block = slabs_.back() + used_of_last_;
     used_of_last_ += bytes;
     return block;
+}
+
+void BlockPool::cut_rest() noexcept {
+    while (used_of_last_ < k_slab_bytes) {
+        const std::size_t left = std::min(k_slab_bytes - used_of_last_, k_largest_pooled);
+        const std::size_t fitting = class_of(left);
+        const std::size_t size_class = size_of_class(fitting) <= left ? fitting : fitting - 1;
+        add_free(slabs_.back() + used_of_last_, size_class);
+        used_of_last_ += size_of_class(size_class);
+    }
+}
+
+void BlockPool::compact() {
+    // Free bytes by slab, slabs by address. Which slabs go depends on what was taken and given back only.
+    std::vector<std::pair<std::byte*, std::size_t>> free_bytes;
+    for (std::byte* slab : slabs_)
+        free_bytes.emplace_back(slab, 0);
+    cut_rest();
+    std::ranges::sort(free_bytes, std::less<>{}, [](const auto& slab) { return slab.first; });
+    const auto slab_of = [&](const void* block) -> std::pair<std::byte*, std::size_t>& {
+        return *std::prev(std::ranges::upper_bound(free_bytes, static_cast<const std::byte*>(block),
+                                                   std::less<>{},
+                                                   [](const auto& slab) { return slab.first; }));
+    };
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+        for (const FreeBlock* block = free_[i]; block != nullptr; block = block->next)
+            slab_of(block).second += size_of_class(i);
+    }
+    for (FreeBlock*& first : free_) {
+        FreeBlock** link = &first;
+        while (*link != nullptr) {
+            if (slab_of(*link).second == k_slab_bytes) {
+                *link = (*link)->next;
+            } else {
+                link = &(*link)->next;
+            }
+        }
+    }
+    std::erase_if(slabs_, [&](std::byte* slab) {
+        if (slab_of(slab).second != k_slab_bytes) return false;
+        memory_->deallocate(slab, k_slab_bytes, k_grain);
+        return true;
+    });
 }
 
 void BlockPool::add_free(std::byte* block, std::size_t size_class) noexcept {

@@ -2,8 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
-#include <new>
+#include <memory_resource>
 #include <vector>
 
 namespace rambla::ecs {
@@ -16,7 +15,9 @@ public:
     static constexpr std::size_t k_largest_pooled = 16 * 1024;
     static constexpr std::size_t k_slab_bytes = 64 * 1024;
 
-    BlockPool() = default;
+    /// @param memory  where slabs and large blocks come from, null: the heap; outlives the pool
+    explicit BlockPool(std::pmr::memory_resource* memory = nullptr);
+    ~BlockPool();
     BlockPool(const BlockPool&) = delete;
     BlockPool& operator=(const BlockPool&) = delete;
 
@@ -25,6 +26,9 @@ public:
     /// @param bytes  what take() was asked for
     void give_back(std::byte* block, std::size_t bytes) noexcept;
 
+    /// Gives back slabs all of whose blocks are free.
+    void compact();
+
     /// Slabs and large blocks that are held from the system.
     [[nodiscard]] std::size_t memory_bytes() const { return slabs_.size() * k_slab_bytes + large_bytes_; }
 
@@ -32,17 +36,17 @@ private:
     struct FreeBlock {
         FreeBlock* next;
     };
-    struct AlignedDelete {
-        void operator()(std::byte* slab) const noexcept;
-    };
-
     static constexpr std::size_t k_class_count = 28;
 
+    [[nodiscard]] std::byte* allocate(std::size_t bytes);
     [[nodiscard]] std::byte* cut(std::size_t bytes);
+    /// Makes free blocks of what is left of the last slab.
+    void cut_rest() noexcept;
     void add_free(std::byte* block, std::size_t size_class) noexcept;
 
     std::array<FreeBlock*, k_class_count> free_{};
-    std::vector<std::unique_ptr<std::byte, AlignedDelete>> slabs_;
+    std::pmr::memory_resource* memory_;
+    std::vector<std::byte*> slabs_;
     std::size_t used_of_last_ = k_slab_bytes;  ///< bytes of the last slab that are cut off already
     std::size_t large_bytes_ = 0;
 };

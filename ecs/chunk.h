@@ -78,6 +78,16 @@ public:
         return column != k_no_column && is_after(archetype_->version(column, chunk_), seen);
     }
 
+    /// The rows whose C may have been written after `seen`: bit b stands for rows 16b to 16b + 15. Writing by
+    /// handle marks rows, handing out a chunk for writing all of them, as do rows that come or go. Exact for
+    /// readers that looked within the last four versions that wrote; all that changed otherwise.
+    template <class C>
+    requires(has_row_mask<std::remove_const_t<C>>) [[nodiscard]] std::uint64_t
+        changed_rows(std::uint32_t seen) const {
+        const ColumnIndex column = (*columns_)[term_of<C>()];
+        return column == k_no_column ? 0 : archetype_->changed_rows(column, chunk_, seen);
+    }
+
     /// Calls f once per row: Entity by value, components by reference, Optional ones by pointer.
     template <class F>
     void each(F&& f) const {

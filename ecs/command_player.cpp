@@ -300,7 +300,7 @@ void CommandPlayer::replace_row(const PlannedGroup& group, std::uint32_t row, Co
     const Archetype::Column& column = group.to->columns()[index];
     destroy_rows(info, column.at(row), 1);
     column.take_row(row, value);
-    group.to->stamp(index, row / k_chunk_rows, world_.version_);
+    group.to->stamp_row(index, row, world_.version_);
 }
 
 void CommandPlayer::write_sparse() {

@@ -92,6 +92,12 @@ public:
     /// Fetches the record ahead of its use; any index will do.
     void prefetch(std::uint32_t index) const noexcept { __builtin_prefetch(records() + index); }
 
+    /// Gives back memory behind the last slot ever used.
+    void compact() {
+        memory_.decommit(std::size_t{size_} * sizeof(EntityRecord));
+        if (ReservedMemory::grows_in_place) capacity_ = size_;
+    }
+
     [[nodiscard]] std::size_t alive_count() const { return alive_; }
     [[nodiscard]] std::size_t memory_bytes() const { return memory_.committed_bytes(); }
 

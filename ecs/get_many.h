@@ -39,8 +39,7 @@ void World::for_many(std::string_view operation, std::span<const Entity> entitie
             archetype = record.archetype;
             base = reinterpret_cast<C*>(graph_[archetype].columns()[column].base);
         }
-        if constexpr (!std::is_const_v<C>)
-            graph_[archetype].stamp(column, record.row / k_chunk_rows, version_);
+        if constexpr (!std::is_const_v<C>) graph_[archetype].stamp_row(column, record.row, version_);
         __builtin_prefetch(base + record.row, std::is_const_v<C> ? 0 : 1);
         return base + record.row;
     };

@@ -97,6 +97,18 @@ void ReservedMemory::commit(std::size_t bytes) {
     committed_bytes_ = wanted;
 }
 
+void ReservedMemory::decommit(std::size_t bytes) noexcept {
+    const std::size_t kept = whole_pages(bytes);
+    if (kept >= committed_bytes_) return;
+    // A fresh mapping: madvise alone would leave the pages counted as committed.
+    void* const tail = data_ + kept;
+    const std::size_t tail_bytes = committed_bytes_ - kept;
+    if (mmap(tail, tail_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) == MAP_FAILED)
+        return;
+    advise_large_pages(data_ + kept, tail_bytes);
+    committed_bytes_ = kept;
+}
+
 void ReservedMemory::release() noexcept {
     if (data_ != nullptr) munmap(data_, reserved_bytes_);
 }
@@ -124,6 +136,8 @@ void ReservedMemory::commit(std::size_t bytes) {
     data_ = static_cast<std::byte*>(fresh);
     committed_bytes_ = bytes;
 }
+
+void ReservedMemory::decommit(std::size_t) noexcept {}
 
 void ReservedMemory::release() noexcept {
     ::operator delete(data_, k_alignment);

@@ -22,6 +22,10 @@ public:
     /// CapacityExceeded when the system refuses; what was committed before stays as it is.
     void commit(std::size_t bytes);
 
+    /// Keeps at least the first `bytes` usable and gives the rest back, where grows_in_place. Cannot fail:
+    /// what the system does not take back stays.
+    void decommit(std::size_t bytes) noexcept;
+
     /// Start of the bytes, aligned to 64; where grows_in_place it stays the same for life.
     [[nodiscard]] std::byte* data() const { return data_; }
     [[nodiscard]] std::size_t committed_bytes() const { return committed_bytes_; }

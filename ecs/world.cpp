@@ -16,7 +16,8 @@ std::uint64_t next_serial() {
 
 World::World(const WorldOptions& options)
     : entities_{options.max_entities},
-      graph_{options.max_rows_per_archetype, options.reserve_address_space, options.first_version - 1},
+      graph_{options.max_rows_per_archetype, options.reserve_address_space, options.first_version - 1,
+             options.memory},
       serial_{next_serial()},
       version_{options.first_version} {}
 
@@ -50,7 +51,7 @@ void* World::slot_for(Entity entity, const ComponentInfo& info) {
     const ColumnIndex column = from.column_of(component);
     std::byte* slot = from.columns()[column].at(record->row);
     if (info.destroy != nullptr) info.destroy(slot, 1);
-    from.stamp(column, record->row / k_chunk_rows, version_);
+    from.stamp_row(column, record->row, version_);
     return slot;
 }
 
@@ -108,6 +109,26 @@ Archetype& World::move(EntityRecord& record, Archetype& to) {
     const Entity moved = from.close_gap(old_row, version_);
     if (moved != Entity{}) entities_[moved.index].row = old_row;
     return to;
+}
+
+void World::compact() {
+    detail::IterationMark::forbid(*this, "compact");
+    entities_.compact();
+    graph_.compact();
+}
+
+std::vector<ArchetypeStats> World::archetype_stats() const {
+    std::vector<ArchetypeStats> all;
+    for (std::size_t i = 0; i < graph_.size(); ++i) {
+        const Archetype& archetype = graph_[i];
+        const std::size_t rows = archetype.row_memory_bytes();
+        const std::size_t own = archetype.memory_bytes() - (archetype.has_reservation() ? rows : 0);
+        ArchetypeStats& stats = all.emplace_back(ArchetypeStats{
+            {}, archetype.rows(), archetype.capacity(), rows, own, archetype.has_reservation()});
+        for (ComponentId component : archetype.signature())
+            stats.components.push_back(graph_.info(component).name);
+    }
+    return all;
 }
 
 std::size_t World::memory_bytes() const {

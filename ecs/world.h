@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -13,6 +14,7 @@
 
 #include "ecs/access_scope.h"
 #include "ecs/archetype_graph.h"
+#include "ecs/archetype_stats.h"
 #include "ecs/component.h"
 #include "ecs/entity.h"
 #include "ecs/entity_table.h"
@@ -39,6 +41,10 @@ struct WorldOptions {
     std::uint32_t first_version = 1;
     /// False: archetypes grow by allocating anew and moving their rows.
     bool reserve_address_space = true;
+    /// Where rows of small archetypes, sparse and shared values come from, in slabs of 64 KiB and large
+    /// blocks; null: the heap. Outlives the world. Rows of larger archetypes have address ranges of their
+    /// own.
+    std::pmr::memory_resource* memory = nullptr;
 };
 
 /// Entities, their components and the world's resources.
@@ -94,6 +100,13 @@ public:
     template <Component C>
     [[nodiscard]] C* try_get_mut(Entity entity);
 
+    /// Counts the component as written without touching it. Throws Misuse on a stale handle or when the
+    /// component is not there.
+    template <Component C>
+    void mark_changed(Entity entity) {
+        (void)get_mut<C>(entity);
+    }
+
     /// Calls f(i, const C&) for each of the entities in turn, i counting them. Faster than single gets where
     /// values lie scattered: later ones are on their way while f has an earlier one. Throws Misuse on a stale
     /// handle or when the component is not there; f may have had entities before it. f makes no structural
@@ -142,6 +155,12 @@ public:
     /// Memory held: committed columns and pooled blocks, entity records, tables, resources. Not what
     /// components own elsewhere.
     [[nodiscard]] std::size_t memory_bytes() const;
+    /// The same archetype by archetype, in the order of their birth.
+    [[nodiscard]] std::vector<ArchetypeStats> archetype_stats() const;
+    /// Gives back memory that no entity needs now. Handles stay valid, references do not: a structural
+    /// change. Throws std::bad_alloc or CapacityExceeded when rows cannot be moved together; nothing is lost
+    /// then.
+    void compact();
 
 private:
     template <class... Terms>
@@ -371,7 +390,7 @@ C* World::find_mut(std::string_view operation, Entity entity) {
     Archetype& archetype = graph_[record.archetype];
     const ColumnIndex column = archetype.column_of(graph_.find_component(type_index<C>()));
     if (column == k_no_column) return nullptr;
-    archetype.stamp(column, record.row / k_chunk_rows, version_);
+    archetype.stamp_row(column, record.row, version_);
     return reinterpret_cast<C*>(archetype.columns()[column].base) + record.row;
 }
 

@@ -4,8 +4,12 @@
 
 #include <cstdint>
 #include <cstring>
+#include <memory_resource>
+#include <new>
 #include <random>
 #include <vector>
+
+#include "ecs/misuse.h"
 
 namespace rambla::ecs {
 namespace {
@@ -57,6 +61,64 @@ TEST(BlockPool, SmallBlocksShareSlabs) {
     for (int i = 0; i < 10'000; ++i)
         (void)pool.take(600);  // class of 640
     EXPECT_LT(pool.memory_bytes(), std::size_t{10'000} * 640 * 102 / 100 + BlockPool::k_slab_bytes);
+}
+
+TEST(BlockPool, CompactingGivesBackSlabsWithoutUsedBlocks) {
+    BlockPool pool;
+    std::vector<std::byte*> blocks;
+    for (int i = 0; i < 2000; ++i) {
+        blocks.push_back(pool.take(600));
+        std::memset(blocks.back(), i % 251, 600);
+    }
+    const std::size_t full = pool.memory_bytes();
+    for (int i = 0; i < 2000; ++i) {
+        if (i != 1000) pool.give_back(blocks[static_cast<std::size_t>(i)], 600);
+    }
+    pool.compact();
+    EXPECT_EQ(pool.memory_bytes(), BlockPool::k_slab_bytes) << "of " << full;
+    EXPECT_EQ(blocks[1000][599], static_cast<std::byte>(1000 % 251));
+    for (int i = 0; i < 2000; ++i) {  // and goes on
+        std::byte* block = pool.take(600);
+        ASSERT_NE(block, blocks[1000]);
+        std::memset(block, 0, 600);
+    }
+    EXPECT_EQ(blocks[1000][0], static_cast<std::byte>(1000 % 251));
+    pool.compact();
+    EXPECT_EQ(pool.memory_bytes(), full);
+}
+
+/// Counts what it lends.
+class Lender : public std::pmr::memory_resource {
+public:
+    std::size_t lent = 0;
+
+private:
+    void* do_allocate(std::size_t bytes, std::size_t alignment) override {
+        if (lent + bytes > 200'000) throw std::bad_alloc{};
+        lent += bytes;
+        return std::pmr::new_delete_resource()->allocate(bytes, alignment);
+    }
+    void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override {
+        lent -= bytes;
+        std::pmr::new_delete_resource()->deallocate(memory, bytes, alignment);
+    }
+    [[nodiscard]] bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
+        return this == &other;
+    }
+};
+
+TEST(BlockPool, LivesFromTheMemoryThatItIsGiven) {
+    Lender lender;
+    {
+        BlockPool pool{&lender};
+        (void)pool.take(600);
+        std::byte* large = pool.take(100'000);
+        EXPECT_EQ(lender.lent, pool.memory_bytes());
+        EXPECT_EQ(lender.lent, 100'000 + BlockPool::k_slab_bytes);
+        EXPECT_THROW((void)pool.take(100'000), CapacityExceeded) << "the lender has no more";
+        pool.give_back(large, 100'000);
+    }
+    EXPECT_EQ(lender.lent, 0u);
 }
 
 TEST(BlockPool, LargeBlocksGoBackToTheSystem) {

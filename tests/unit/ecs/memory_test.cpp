@@ -55,6 +55,23 @@ TEST(ReservedMemory, RefusesAnImpossibleReservation) {
     EXPECT_THROW(ReservedMemory{std::size_t{1} << 60u}, CapacityExceeded);
 }
 
+TEST(ReservedMemory, GivesItsTailBackAndGrowsAgainFromZero) {
+    if (!ReservedMemory::grows_in_place) GTEST_SKIP() << "nothing goes back on this system";
+    ReservedMemory memory{k_gibibyte};
+    memory.commit(10'000'000);
+    std::memset(memory.data(), 7, 10'000'000);
+    const std::byte* before = memory.data();
+    memory.decommit(100'000);
+    EXPECT_EQ(memory.data(), before);
+    EXPECT_LE(memory.committed_bytes(), 100'000u + 65'536u);
+    EXPECT_EQ(memory.data()[99'999], std::byte{7});
+    memory.decommit(5'000'000);
+    EXPECT_LE(memory.committed_bytes(), 100'000u + 65'536u) << "never more than there was";
+    memory.commit(10'000'000);
+    EXPECT_EQ(memory.data()[99'999], std::byte{7});
+    EXPECT_EQ(memory.data()[9'000'000], std::byte{0});
+}
+
 TEST(ReservedMemory, MovingHandsTheRangeOver) {
     ReservedMemory first{k_gibibyte};
     first.commit(1);

@@ -74,6 +74,11 @@ struct Light {
     float lux = 0.0f;
 };
 
+/// Written sparsely: chunks remember which rows.
+struct Score {
+    int points = 0;
+};
+
 /// Common to all entities of an archetype.
 struct Material {
     std::uint32_t number = 0;
@@ -117,6 +122,11 @@ template <>
 struct rambla::ecs::component_options<rambla::ecs::test::Tint> {
     static constexpr Storage storage = Storage::shared;
     static std::uint64_t hash(const rambla::ecs::test::Tint& tint) { return tint.kind; }
+};
+
+template <>
+struct rambla::ecs::component_options<rambla::ecs::test::Score> {
+    static constexpr bool row_mask = true;
 };
 
 template <>
