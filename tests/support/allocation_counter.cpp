@@ -8,10 +8,11 @@ namespace {
 
 std::atomic<std::size_t> allocations{0};
 thread_local std::size_t allocations_of_this_thread = 0;
+thread_local std::size_t failing_one = ~std::size_t{0};  ///< by its number among those of this thread
 
 void* allocate_or_null(std::size_t bytes, std::size_t alignment) {
     ++allocations;
-    ++allocations_of_this_thread;
+    if (allocations_of_this_thread++ == failing_one) return nullptr;
     return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
 }
 
@@ -29,6 +30,18 @@ std::size_t rambla::test::allocation_count() {
 
 std::size_t rambla::test::allocation_count_of_this_thread() {
     return allocations_of_this_thread;
+}
+
+rambla::test::FailingAllocation::FailingAllocation(std::size_t number) {
+    failing_one = allocations_of_this_thread + number;
+}
+
+rambla::test::FailingAllocation::~FailingAllocation() {
+    failing_one = ~std::size_t{0};
+}
+
+bool rambla::test::FailingAllocation::happened() const {
+    return allocations_of_this_thread > failing_one;
 }
 
 // The array forms call these.
