@@ -28,7 +28,7 @@ struct ModelEntity {
     std::array<std::optional<std::uint64_t>, k_part_count> parts{};
     std::array<std::uint32_t, k_part_count> written{};  ///< world versions
     std::array<bool, k_part_count> disabled{};
-    std::uint64_t columns = 0;  ///< the parts that it has a row for, a bit each
+    std::uint64_t home = 0;     ///< tells its archetype from others
     std::uint32_t moved = 0;    ///< version of the last structural change
     std::uint32_t visited = 0;  ///< mark of the walk that saw it last
     std::size_t place = 0;      ///< in Model::alive()

@@ -22,6 +22,7 @@ using test::Health;
 using test::Hidden;
 using test::Light;
 using test::Line;
+using test::Material;
 using test::Owner;
 using test::Parent;
 using test::Position;
@@ -29,9 +30,9 @@ using test::Selected;
 using test::SparseAnchored;
 
 /// All components of the random worlds, by number: moved by bytes, by constructor, owning, wide, narrow,
-/// without value, holding an entity, switched per row, stored sparse.
+/// without value, holding an entity, switched per row, stored sparse, shared.
 using Parts = std::tuple<Health, Position, Anchored, Owner, Line, Byte, Frozen, Hidden, Parent, Light,
-                         Burning, SparseAnchored, Selected>;
+                         Burning, SparseAnchored, Selected, Material>;
 inline constexpr std::size_t k_part_count = std::tuple_size_v<Parts>;
 
 [[nodiscard]] constexpr std::uint64_t key_of(Entity entity) {
@@ -50,6 +51,7 @@ template <class C>
     if constexpr (std::is_base_of_v<Anchored, C>) return C{static_cast<int>(n >> 1u)};
     if constexpr (std::is_same_v<C, Light>) return {static_cast<float>(n >> 8u)};
     if constexpr (std::is_same_v<C, Burning>) return {static_cast<int>(n >> 1u)};
+    if constexpr (std::is_same_v<C, Material>) return {n >> 30u};  // few, as each makes archetypes
     if constexpr (std::is_same_v<C, Owner>) return {std::make_unique<int>(static_cast<int>(n >> 1u))};
     if constexpr (std::is_same_v<C, Byte>) return {static_cast<std::uint8_t>(n)};
     if constexpr (std::is_same_v<C, Parent>) return {{n & 0xffu, 1u + (n >> 28u)}};
@@ -71,12 +73,13 @@ template <class C>
     }
     if constexpr (std::is_same_v<C, Light>) return static_cast<std::uint64_t>(part.lux);
     if constexpr (std::is_same_v<C, Burning>) return static_cast<std::uint64_t>(part.heat);
+    if constexpr (std::is_same_v<C, Material>) return part.number;
     if constexpr (std::is_base_of_v<Anchored, C>) {
         if (!part.intact()) return {};
         return static_cast<std::uint64_t>(part.number());
     }
     if constexpr (std::is_same_v<C, Owner>) {
-        if (part.value == nullptr) return {};
+        if (part.value == nullptr) return ~std::uint64_t{0};  // as it is made without a value
         return static_cast<std::uint64_t>(*part.value);
     }
     if constexpr (std::is_same_v<C, Byte>) return part.value;

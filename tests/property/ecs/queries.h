@@ -42,7 +42,10 @@ private:
         CheckedQuery<Entity, AnyOf<Health, Frozen, Line>>,
         CheckedQuery<Entity, AnyOf<Selected, Byte>, Without<Anchored>>,
         CheckedQuery<Entity, AnyOf<Burning, Selected>, Optional<const Burning>>,
-        CheckedQuery<Entity, const Light, Enabled<Light>>,
+        CheckedQuery<Entity, const Light, Enabled<Light>>, CheckedQuery<Entity, Shared<Material>>,
+        CheckedQuery<Entity, const Health, Shared<Material>, Without<Selected>>,
+        CheckedQuery<Entity, Without<Material>>,
+        CheckedQuery<Entity, With<Material>, Optional<const Anchored>>,
         CheckedQuery<Entity, Disabled<Light>, Optional<const Light>>,
         CheckedQuery<Entity, Enabled<Light>, With<Burning>, Without<Frozen>>>
         queries_;

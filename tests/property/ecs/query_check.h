@@ -33,6 +33,8 @@ struct TermModel<Optional<T>> {
     }
 };
 template <class C>
+struct TermModel<Shared<C>> : TermModel<const C> {};
+template <class C>
 struct TermModel<With<C>> {
     static bool fits(const ModelEntity& entity) { return entity.has(part_number<C>()); }
 };

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "property/ecs/queries.h"
+#include "property/ecs/replica.h"
 
 namespace rambla::ecs::property {
 namespace {
@@ -28,6 +29,7 @@ enum Kind : std::uint32_t {
     check_versions,
     check_changed,
     check_versions_of_rows,
+    check_replica,
     change_while_iterating,
     kind_count
 };
@@ -52,6 +54,7 @@ constexpr auto k_weights = [] {
     weights[check_versions] = 6;
     weights[check_changed] = 10;
     weights[check_versions_of_rows] = 20;
+    weights[check_replica] = 3;
     weights[change_while_iterating] = 6;
     return weights;
 }();
@@ -64,8 +67,12 @@ constexpr auto k_sparse = []<std::size_t... I>(std::index_sequence<I...>) {
 
 }  // namespace
 
-Twins::Twins(const WorldOptions& options)
-    : world_{options}, recordings_(k_recordings), queries_{std::make_unique<Queries>()} {}
+Twins::Twins(const WorldOptions& options, bool shares)
+    : shares_{shares},
+      world_{options},
+      recordings_(k_recordings),
+      queries_{std::make_unique<Queries>()},
+      replica_{std::make_unique<Replica>()} {}
 
 Twins::~Twins() = default;
 
@@ -109,6 +116,8 @@ void Twins::play(const Operation& operation) {
             return check_changed(operation);
         case Kind::check_versions_of_rows:
             return check_versions_of_rows(operation);
+        case Kind::check_replica:
+            return check_replica(operation);
         default:
             return change_while_iterating(operation);
     }
@@ -154,12 +163,13 @@ void Twins::set(ModelEntity& entity, std::size_t part, std::uint64_t value) cons
 }
 
 void Twins::settle(ModelEntity& entity) const {
-    std::uint64_t columns = 1;  // of the handle itself
+    std::uint64_t home = 1;
     for (std::size_t part = 0; part < k_part_count; ++part) {
-        if (entity.has(part) && !k_sparse[part]) columns |= std::uint64_t{2} << part;
+        if (entity.has(part) && !k_sparse[part]) home |= std::uint64_t{2} << part;
     }
-    if (columns != entity.columns) entity.moved = world_.version();
-    entity.columns = columns;
+    home |= entity.parts[part_number<Material>()].value_or(0) << 32u;
+    if (home != entity.home) entity.moved = world_.version();
+    entity.home = home;
 }
 
 void Twins::unset(ModelEntity& entity, std::size_t part) const {

@@ -18,12 +18,16 @@
 namespace rambla::ecs::property {
 
 class Queries;
+class Replica;
 
 /// A world and its model, changed by the same operations. What an operation does depends on it and on what
 /// came before; every operation is possible at any time, so that any part of a sequence is a sequence.
 class Twins {
 public:
-    explicit Twins(const WorldOptions& options);
+    /// @param shares  whether parts that entities share are among those that come and go; snapshots cannot
+    /// hold
+    ///                them and are left out then
+    Twins(const WorldOptions& options, bool shares);
     ~Twins();
 
     /// Relative frequency of each kind of operation.
@@ -49,6 +53,10 @@ private:
     static constexpr std::size_t k_recordings = 3;
 
     // twins.cpp
+    template <class C>
+    [[nodiscard]] bool uses() const {
+        return shares_ || storage_of<C> != Storage::shared;
+    }
     void say(const std::string& text);
     std::optional<Entity> target(const Operation& operation) const;
     ModelEntity newborn() const;
@@ -88,15 +96,18 @@ private:
     void check_query(const Operation& operation);
     void write_through_query(const Operation& operation);
     void check_versions(const Operation& operation);
+    void check_replica(const Operation& operation);
     void check_changed(const Operation& operation);
     void check_versions_of_rows(const Operation& operation);
     void change_while_iterating(const Operation& operation);
 
+    bool shares_;
     World world_;
     Model model_;
     CommandQueue queue_;
     std::vector<Recording> recordings_;
     std::unique_ptr<Queries> queries_;
+    std::unique_ptr<Replica> replica_;
     std::string* trace_ = nullptr;
 };
 

@@ -83,6 +83,7 @@ void Twins::record_add(Recording& recording, Entity entity, const Operation& ope
         return;
     }
     with_part(n % k_part_count, [&]<class C>() {
+        if (!uses<C>()) return;
         say("  add<" + std::string{type_name<C>()} + "> to " + to_string(entity));
         recording.commands->add(entity, make_part<C>(n));
         recording.effects.emplace_back([this, entity, n](const Commands& commands) {
@@ -96,6 +97,7 @@ void Twins::record_add(Recording& recording, Entity entity, const Operation& ope
 
 void Twins::record_remove(Recording& recording, Entity entity, const Operation& operation) {
     with_part(operation.c % k_part_count, [&]<class C>() {
+        if (!uses<C>()) return;
         say("  remove<" + std::string{type_name<C>()} + "> from " + to_string(entity));
         recording.commands->remove<C>(entity);
         recording.effects.emplace_back([this, entity](const Commands& commands) {

@@ -5,6 +5,7 @@
 
 #include "ecs/query.h"
 #include "property/ecs/queries.h"
+#include "property/ecs/replica.h"
 #include "property/ecs/twins.h"
 
 namespace rambla::ecs::property {
@@ -117,6 +118,13 @@ void Twins::check_versions(const Operation& operation) {
     check_single_write<Health>(world_, model_, *entity);
     check_single_write<Position>(world_, model_, *entity);
     check_single_write<Anchored>(world_, model_, *entity);
+}
+
+void Twins::check_replica(const Operation& operation) {
+    if (shares_) return;
+    const bool by_delta = operation.a % 4 != 0;
+    say(by_delta ? "follow by delta" : "follow by snapshot");
+    replica_->follow(world_, model_, by_delta);
 }
 
 void Twins::check_changed(const Operation& operation) {

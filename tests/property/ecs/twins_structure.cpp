@@ -96,6 +96,7 @@ void Twins::add(const Operation& operation) {
     const std::optional<Entity> entity = target(operation);
     if (!entity) return;
     with_part(operation.c % k_part_count, [&]<class C>() {
+        if (!uses<C>()) return;
         say("add<" + std::string{type_name<C>()} + "> to " + to_string(*entity));
         world_.add(*entity, make_part<C>(operation.c));
         set(model_.at(*entity), part_number<C>(), value_of<C>(operation.c));
@@ -125,7 +126,7 @@ void Twins::write(const Operation& operation) {
     const std::optional<Entity> entity = target(operation);
     if (!entity) return;
     with_part(operation.c % k_part_count, [&]<class C>() {
-        if constexpr (!is_tag<C>) {
+        if constexpr (!is_tag<C> && storage_of<C> != Storage::shared) {
             ModelEntity& state = model_.at(*entity);
             C* part = world_.try_get_mut<C>(*entity);
             expect((part != nullptr) == state.has(part_number<C>()), "try_get_mut finds a part");
