@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ecs/component.h"
+#include "ecs/parent.h"
 #include "unit/ecs/parts.h"
 
 namespace rambla::ecs::property {
@@ -24,7 +25,6 @@ using test::Light;
 using test::Line;
 using test::Material;
 using test::Owner;
-using test::Parent;
 using test::Position;
 using test::Selected;
 using test::SparseAnchored;
