@@ -186,6 +186,7 @@ void CommandPlayer::commit(std::span<Commands* const> recordings, std::size_t fi
     const std::span<const PlannedGroup> groups = plan_.groups();
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const PlannedGroup& group = groups[i];
+        const bool last_of_section = i + 1 == groups.size() || groups[i + 1].from != group.from;
         if (group.from == nullptr) {
             append_created(group, bulk);
         } else if (group.from == group.to) {
@@ -193,14 +194,13 @@ void CommandPlayer::commit(std::span<Commands* const> recordings, std::size_t fi
         } else if (group.to != nullptr) {
             const bool all_that_leave =
                 gaps != plan_.gaps().end() && gaps->archetype == group.from && gaps->count == group.count;
-            if (all_that_leave) {
+            if (all_that_leave && last_of_section) {  // else values still go to rows where they were
                 write(group, bulk.move_and_close(*group.from, plan_.rows(group), *group.to, fillers_));
                 ++gaps;
                 continue;
             }
             write(group, bulk.move(*group.from, plan_.rows(group), *group.to));
         }
-        const bool last_of_section = i + 1 == groups.size() || groups[i + 1].from != group.from;
         if (last_of_section && gaps != plan_.gaps().end() && gaps->archetype == group.from) {
             bulk.close_gaps(*group.from, plan_.rows(*gaps), fillers_);
             ++gaps;

@@ -130,6 +130,24 @@ TEST(Commands, MoveValuesThatKnowTheirAddress) {
     EXPECT_EQ(Anchored::alive, 0);
 }
 
+TEST(Commands, ValuesGoToTheirRowsWhileOthersLeaveTheSameArchetype) {
+    World world;
+    std::vector<Entity> entities;
+    for (int i = 0; i < 10; ++i)
+        entities.push_back(world.create(Health{i}, Anchored{i}));
+    Commands commands;
+    commands.add(entities[2], Position{});
+    commands.add(entities[9], Anchored{90});
+    commands.add(entities[5], Health{50});
+    commands.apply(world);
+    for (int i = 0; i < 10; ++i) {
+        const Entity entity = entities[static_cast<std::size_t>(i)];
+        EXPECT_EQ(world.get<Health>(entity).points, i == 5 ? 50 : i);
+        EXPECT_EQ(world.get<Anchored>(entity).number(), i == 9 ? 90 : i);
+        EXPECT_TRUE(world.get<Anchored>(entity).intact());
+    }
+}
+
 TEST(Commands, EndWhatWasNeverApplied) {
     {
         Commands commands;
