@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <functional>
+#include <memory_resource>
 #include <string>
 #include <vector>
 
@@ -143,7 +144,7 @@ TEST(Misuse, SparseAndSwitchedPartsFollowTheSameRules) {
 }
 
 TEST(Misuse, MoreKindsOfComponentsThanHaveNumbersAreRefused) {
-    ArchetypeGraph graph{1024, true, 1};
+    ArchetypeGraph graph{1024, true, 1, std::pmr::new_delete_resource()};
     constexpr std::uint32_t k_kinds = 65533;
     std::vector<ComponentInfo> infos(k_kinds + 1);
     for (std::uint32_t i = 0; i <= k_kinds; ++i)
