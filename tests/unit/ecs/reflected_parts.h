@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "ecs/reflect_parent.h"
 #include "ecs/snapshot.h"
 #include "ecs/type_registry.h"
+#include "ecs/world_access.h"
 #include "unit/ecs/parts.h"
 
 namespace rambla::ecs::test {
@@ -205,6 +207,14 @@ using Bytes = std::vector<std::byte>;
 
 inline Bytes copy_of(std::span<const std::byte> bytes) {
     return {bytes.begin(), bytes.end()};
+}
+
+/// Whether all that is in sparse sets is alive.
+inline bool sparse_sets_are_sound(const World& world) {
+    const SparseSets& sets = detail::WorldAccess::graph(world).sparse();
+    return std::ranges::all_of(sets.all(), [&](const auto& set) {
+        return std::ranges::all_of(set->entities(), [&](Entity entity) { return world.alive(entity); });
+    });
 }
 
 /// A snapshot by a writer of its own.

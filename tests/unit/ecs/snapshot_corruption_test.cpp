@@ -48,6 +48,7 @@ bool survives(const Bytes& bytes, const TypeRegistry& registry, bool drop) {
         const RestoredWorld restored =
             read_snapshot(bytes, registry, {.world = {}, .drop_unknown_components = drop});
         World& world = *restored.world;
+        EXPECT_TRUE(sparse_sets_are_sound(world));
         Query<Entity> query;
         std::vector<Entity> all;
         query.each(world, [&](Entity entity) { all.push_back(entity); });

@@ -35,7 +35,7 @@ public:
                 forget(place);
                 break;
             case 2:
-                world.add(entity, Label{"label " + std::to_string(n), 1});
+                world.add(entity, Label{std::to_string(n) + " is a label too long for the object itself", 1});
                 break;
             case 3:
                 if (world.has<Health>(entity)) world.remove<Health>(entity);
@@ -267,6 +267,7 @@ TEST(SnapshotDelta, DamagedUnderARightChecksumLeavesAConsistentWorld) {
         } catch (const CapacityExceeded&) {
             ASSERT_EQ(restored.world->entity_count(), count);
         }
+        ASSERT_TRUE(sparse_sets_are_sound(*restored.world));
         Query<Entity> query;
         std::vector<Entity> all;
         query.each(*restored.world, [&](Entity entity) { all.push_back(entity); });
