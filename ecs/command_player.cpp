@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ecs/iteration.h"
+#include "ecs/observers.h"
 #include "ecs/relocate.h"
 
 namespace rambla::ecs::detail {
@@ -22,6 +23,20 @@ CommandPlayer& CommandPlayer::of(World& world) {
 
 Playback CommandPlayer::play(std::span<Commands* const> recordings, std::string_view operation) {
     IterationMark::forbid(world_, operation);
+    Observers* const observers = world_.observers_.get();
+    if (observers == nullptr) return play_once(recordings);
+    Playback playback;
+    try {
+        playback = play_once(recordings);
+    } catch (...) {
+        observers->forget();
+        throw;
+    }
+    observers->settle();
+    return playback;
+}
+
+Playback CommandPlayer::play_once(std::span<Commands* const> recordings) {
     merge(recordings);
     std::size_t dropped = 0;
     std::size_t next = 0;
@@ -34,6 +49,7 @@ Playback CommandPlayer::play(std::span<Commands* const> recordings, std::string_
                 dropped += play_single(recordings, next, end);
                 next = end;
                 write_sparse();
+                if (world_.observers_ != nullptr) world_.observers_->after_change(created_by_plan());
             }
             if (next == commands_.size()) break;
             play_whole(commands_[next]);
@@ -53,6 +69,11 @@ std::size_t CommandPlayer::play_single(std::span<Commands* const> recordings, st
                                        std::size_t end) {
     plan_.make(world_.graph_, world_.entities_, commands_.subspan(first, end - first), created_);
     prepare();
+    if (Observers* const observers = world_.observers_.get(); observers != nullptr) {
+        observers->begin();
+        observers->note_plan(plan_);
+        observers->before_change();
+    }
     commit(recordings, first);
     return plan_.dropped();
 }
@@ -64,7 +85,13 @@ void CommandPlayer::play_whole(const Command& command) {
         if (archetype.rows() != 0 && command.type->fits(world_.graph_, archetype))
             whole_.push_back(&archetype);
     }
+    Observers* const observers = world_.observers_.get();
+    if (observers != nullptr) observers->begin();
     if (command.type->kind == CommandKind::destroy) {
+        if (observers != nullptr) {
+            observers->note_whole_end(whole_);
+            observers->before_change();
+        }
         for (Archetype* archetype : whole_)
             bulk().end_all(*archetype);
     } else if (command.type->kind == CommandKind::remove) {
@@ -73,6 +100,7 @@ void CommandPlayer::play_whole(const Command& command) {
         resolve_parts(command, created_);
         add_to_whole(command, command.type->parts[0]);
         destroy_rows(*command.type->parts[0].info, command.values, 1);
+        if (observers != nullptr) observers->after_change();
     }
 }
 
@@ -81,6 +109,7 @@ void CommandPlayer::add_to_whole(const Command& command, const CommandPart& part
     for (Archetype* from : whole_) {
         if (!from->has(component)) BulkRows::reserve_all(*from, world_.graph_.toggled(*from, component));
     }
+    if (world_.observers_ != nullptr) world_.observers_->note_whole(whole_, *part.info, true);
     for (Archetype* archetype : whole_) {  // first those that stay, before others come to them
         if (archetype->has(component))
             replace_whole(command, *part.info, *archetype, archetype->column_of(component), 0, true);
@@ -108,6 +137,10 @@ void CommandPlayer::remove_from_whole(const CommandPart& part) {
     std::erase_if(whole_, [&](const Archetype* from) { return !from->has(component); });
     for (Archetype* from : whole_)
         BulkRows::reserve_all(*from, world_.graph_.toggled(*from, component));
+    if (world_.observers_ != nullptr) {
+        world_.observers_->note_whole(whole_, *part.info, false);
+        world_.observers_->before_change();
+    }
     for (Archetype* from : whole_)
         bulk().move_all(*from, world_.graph_.toggled(*from, component));
 }
@@ -309,7 +342,7 @@ void CommandPlayer::write_sparse() {
     try {
         for (; next < all.size(); ++next) {
             const PlannedSparse& sparse = all[next];
-            const Entity entity = resolved(created_, sparse.entity);
+            const Entity entity = resolved(created_by_plan(), sparse.entity);
             if (sparse.removes) {
                 SparseSet& set = world_.graph_.sparse_set(*sparse.info);
                 const std::uint32_t place = set.find(entity);

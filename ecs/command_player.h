@@ -24,6 +24,9 @@ public:
     /// Plays recordings one behind the other, as Commands::apply does with one, and empties them.
     Playback play(std::span<Commands* const> recordings, std::string_view operation);
 
+    /// The same without what observers have recorded meanwhile.
+    Playback play_once(std::span<Commands* const> recordings);
+
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
@@ -52,6 +55,10 @@ private:
     void replace_row(const PlannedGroup& group, std::uint32_t row, ComponentId component,
                      const ComponentInfo& info, std::byte* value) noexcept;
     void write_sparse();
+    /// What the placeholders of the plan stand for.
+    [[nodiscard]] CreatedEntities created_by_plan() const {
+        return CreatedEntities{created_}.last(plan_.creations());
+    }
     void give_created_to(std::span<Commands* const> recordings);
 
     World& world_;

@@ -91,7 +91,8 @@ public:
     /// is not there, are dropped and counted. Throws Misuse while the world is being iterated: then nothing
     /// is changed and the recording stays. Throws CapacityExceeded: then nothing is changed and the recording
     /// is dropped; except that commands for all entities divide a recording, and that what came before the
-    /// part that does not fit stays made. Rows that come to an archetype need room beside rows that go.
+    /// part that does not fit stays made. Rows that come to an archetype need room beside rows that go. What
+    /// observers throw comes when all changes are made.
     Playback apply(World& world);
     /// Forgets what was recorded.
     void clear() noexcept;

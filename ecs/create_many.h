@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <span>
 #include <type_traits>
@@ -47,6 +48,9 @@ FreshRows fresh_rows(World& world, std::size_t count) {
     return {archetype, bulk.create(archetype, rows), rows};
 }
 
+/// Tells observers of new entities. Returns these, also where observers have moved them.
+std::span<const Entity> announce(World& world, std::span<const Entity> entities);
+
 }  // namespace detail
 
 /// Makes `count` entities with copies of these values. Returns them in the order of their rows; the span is
@@ -63,7 +67,7 @@ requires(sizeof...(Cs) > 0) std::span<const Entity> create_many(World& world, st
         std::uninitialized_fill(column.begin(), column.end(), value);
     };
     (copy(values), ...);
-    return rows.entities();
+    return detail::announce(world, rows.entities());
 }
 
 /// Makes `count` entities whose components begin as C{}, then calls fill(span<const Entity>, span<C>...) for
@@ -85,12 +89,19 @@ requires(sizeof...(Cs) > 0) std::span<const Entity> create_many_with(World& worl
         std::uninitialized_value_construct(column.begin(), column.end());
     };
     (begin_as_default(rows.column<Cs>(graph, rows.first, rows.count)), ...);
-    const detail::IterationMark mark{world, &fill};
-    for (std::uint32_t row = rows.first; row < end; row = stretch_end(row)) {
-        const std::uint32_t size = stretch_end(row) - row;
-        fill(std::span{rows.archetype.entities() + row, size}, rows.column<Cs>(graph, row, size)...);
+    std::exception_ptr error;
+    try {
+        const detail::IterationMark mark{world, &fill};
+        for (std::uint32_t row = rows.first; row < end; row = stretch_end(row)) {
+            const std::uint32_t size = stretch_end(row) - row;
+            fill(std::span{rows.archetype.entities() + row, size}, rows.column<Cs>(graph, row, size)...);
+        }
+    } catch (...) {
+        error = std::current_exception();
     }
-    return rows.entities();
+    const std::span<const Entity> made = detail::announce(world, rows.entities());
+    if (error != nullptr) std::rethrow_exception(error);
+    return made;
 }
 
 }  // namespace rambla::ecs

@@ -33,10 +33,9 @@ void throw_no_resource(std::string_view resource) {
 }
 
 void throw_iterating(std::string_view operation) {
-    throw Misuse{
-        call(operation, {}) +
-        ": while this thread walks over chunks, or works for a system that shares the world; structural "
-        "changes belong into Commands"};
+    throw Misuse{call(operation, {}) +
+                 ": while this thread walks over chunks, observes a change, or works for a system that "
+                 "shares the world; structural changes belong into Commands"};
 }
 
 void throw_undeclared(std::string_view system, std::string_view thing) {

@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "ecs/command_player.h"
+#include "ecs/observers.h"
 
 namespace rambla::ecs {
 namespace {
@@ -25,10 +26,18 @@ World::~World() = default;
 
 void World::destroy(Entity entity) {
     detail::IterationMark::forbid(*this, "destroy");
-    EntityRecord* record = entities_.find(entity);
-    if (record == nullptr) detail::throw_not_alive("destroy", {}, entity);
-    const std::uint32_t row = record->row;
-    const Entity moved = graph_[record->archetype].erase(row, version_);
+    if (entities_.find(entity) == nullptr) detail::throw_not_alive("destroy", {}, entity);
+    if (observers_ != nullptr) [[unlikely]]
+        before_end(entity);
+    end(entity);
+    if (observers_ != nullptr) [[unlikely]]
+        after_remove();
+}
+
+void World::end(Entity entity) noexcept {
+    const EntityRecord& record = entities_[entity.index];
+    const std::uint32_t row = record.row;
+    const Entity moved = graph_[record.archetype].erase(row, version_);
     if (moved != Entity{}) entities_[moved.index].row = row;
     graph_.sparse().erase_all(entity, version_);
     entities_.give_back(entity.index);
@@ -70,7 +79,12 @@ void World::share(Entity entity, const ComponentInfo& info, const void* value) {
     if (record == nullptr) detail::throw_not_alive("add", info.name, entity);
     Archetype& from = graph_[record->archetype];
     Archetype& to = graph_.sharing(from, graph_.intern(info, value));
-    if (&to != &from) move(*record, to);
+    if (&to == &from) return;
+    if (observers_ != nullptr) [[unlikely]]
+        before_add(entity, info);
+    move(*record, to);
+    if (observers_ != nullptr) [[unlikely]]
+        after_add();
 }
 
 void World::take_away(Entity entity, const ComponentInfo& info) {
@@ -81,12 +95,64 @@ void World::take_away(Entity entity, const ComponentInfo& info) {
         SparseSet* set = graph_.sparse().find(graph_.find_component(info.type_index));
         const std::uint32_t place = set == nullptr ? SparseSet::k_none : set->find(entity);
         if (place == SparseSet::k_none) detail::throw_missing("remove", info.name, entity);
-        return set->erase(place, version_);
+        if (observers_ != nullptr) [[unlikely]]
+            before_remove(entity, info);
+        set->erase(place, version_);
+        if (observers_ != nullptr) [[unlikely]]
+            after_remove();
+        return;
     }
     const ComponentId component = graph_.find_component(info.type_index);
     Archetype& from = graph_[record->archetype];
     if (info.is_companion || !from.has(component)) detail::throw_missing("remove", info.name, entity);
-    move(*record, graph_.toggled(from, component));
+    Archetype& to = graph_.toggled(from, component);
+    if (observers_ != nullptr) [[unlikely]] {
+        to.reserve_one();  // so that what observers are told of does not fail
+        before_remove(entity, info);
+    }
+    move(*record, to);
+    if (observers_ != nullptr) [[unlikely]]
+        after_remove();
+}
+
+Observers& World::observers() {
+    detail::AccessScope::require_alone(*this, "observers");
+    if (observers_ == nullptr) observers_ = std::make_unique<Observers>(*this);
+    return *observers_;
+}
+
+void World::announce_new(Entity entity) {
+    (void)observers_->announce({&entity, 1});
+}
+
+void World::before_add(Entity entity, const ComponentInfo& info) {
+    detail::IterationMark::forbid(*this, "add");
+    observers_->begin();
+    const EntityRecord* record = entities_.find(entity);
+    if (record == nullptr) return;  // adding says so
+    const bool held = holds(entity, *record, info);
+    observers_->note(entity, info, held ? Observers::Moment::set : Observers::Moment::add);
+}
+
+void World::before_remove(Entity entity, const ComponentInfo& info) {
+    observers_->begin();
+    observers_->note(entity, info, Observers::Moment::remove);
+    observers_->before_change();
+}
+
+void World::before_end(Entity entity) {
+    observers_->begin();
+    observers_->note_end(entity);
+    observers_->before_change();
+}
+
+void World::after_add() {
+    observers_->after_change();
+    observers_->settle();
+}
+
+void World::after_remove() {
+    observers_->settle();
 }
 
 bool World::holds(Entity entity, const EntityRecord& record, const ComponentInfo& info) const {
@@ -134,7 +200,12 @@ std::vector<ArchetypeStats> World::archetype_stats() const {
 std::size_t World::memory_bytes() const {
     return sizeof(World) + entities_.memory_bytes() + graph_.memory_bytes() +
            bundles_.capacity() * sizeof(BundlePlace) + resources_.memory_bytes() +
-           (player_ != nullptr ? player_->memory_bytes() : 0);
+           (player_ != nullptr ? player_->memory_bytes() : 0) +
+           (observers_ != nullptr ? observers_->memory_bytes() : 0);
+}
+
+std::span<const Entity> detail::announce(World& world, std::span<const Entity> entities) {
+    return world.observers_ == nullptr ? entities : world.observers_->announce(entities);
 }
 
 }  // namespace rambla::ecs

@@ -27,9 +27,11 @@ namespace rambla::ecs {
 template <class... Terms>
 class Query;
 class Commands;
+class Observers;
 namespace detail {
 class CommandPlayer;
-}
+std::span<const Entity> announce(World& world, std::span<const Entity> entities);
+}  // namespace detail
 
 /// Limits and memory of a world. Address space is reserved by them, memory is not.
 struct WorldOptions {
@@ -139,6 +141,10 @@ public:
         return resources_.find<R>() != nullptr;
     }
 
+    /// Functions that are called when components come and go. Throws Misuse in a system of a schedule that
+    /// shares the world.
+    [[nodiscard]] Observers& observers();
+
     /// What writes are stamped with: each chunk × component keeps the version of its last write.
     [[nodiscard]] std::uint32_t version() const { return version_; }
     /// Begins a new version, so that later writes can be told from earlier ones. Returns the one that ended.
@@ -166,6 +172,8 @@ private:
     template <class... Terms>
     friend class Query;
     friend class Commands;
+    friend class Observers;
+    friend std::span<const Entity> detail::announce(World& world, std::span<const Entity> entities);
     friend struct detail::WorldAccess;
     friend class detail::CommandPlayer;
 
@@ -199,11 +207,20 @@ private:
         const Entity entity = entities_.take(archetype.index(), archetype.rows());
         return {entity, archetype.push(entity, version_)};
     }
+    /// Ends a living entity, which no observer is told.
+    void end(Entity entity) noexcept;
+    void announce_new(Entity entity);
     /// Where to construct the component: raw memory, null for tags. Moves the entity, or ends the old value.
     void* slot_for(Entity entity, const ComponentInfo& info);
     void* sparse_slot_for(Entity entity, const ComponentInfo& info);
     void share(Entity entity, const ComponentInfo& info, const void* value);
     void take_away(Entity entity, const ComponentInfo& info);
+    /// Lets observers know of a change by add(), remove(), destroy().
+    void before_add(Entity entity, const ComponentInfo& info);
+    void before_remove(Entity entity, const ComponentInfo& info);
+    void before_end(Entity entity);
+    void after_add();
+    void after_remove();
     /// Whether a living entity has the component, whatever its storage.
     [[nodiscard]] bool holds(Entity entity, const EntityRecord& record, const ComponentInfo& info) const;
     void age_versions() noexcept;
@@ -240,6 +257,7 @@ private:
     std::uint64_t serial_;              ///< never used twice: how queries know the world they have cached
     std::uint32_t version_;
     std::unique_ptr<detail::CommandPlayer> player_;  ///< made by the first playback
+    std::unique_ptr<Observers> observers_;           ///< made when first asked for
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -307,10 +325,12 @@ requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
         try {
             (construct_sparse(created.entity, values), ...);
         } catch (...) {
-            destroy(created.entity);
+            end(created.entity);
             throw;
         }
     }
+    if (observers_ != nullptr) [[unlikely]]
+        announce_new(created.entity);
     return created.entity;
 }
 
@@ -318,8 +338,12 @@ template <Component C>
 void World::add(Entity entity, C value) {
     static_assert(!detail::k_is_enable_state<C>, "an EnableState comes with its component");
     if constexpr (storage_of<C> == Storage::shared) return share(entity, component_info<C>(), &value);
+    if (observers_ != nullptr) [[unlikely]]
+        before_add(entity, component_info<C>());
     void* slot = slot_for(entity, component_info<C>());
     if constexpr (!is_tag<C>) std::construct_at(static_cast<C*>(slot), std::move(value));
+    if (observers_ != nullptr) [[unlikely]]
+        after_add();
 }
 
 template <Component C>

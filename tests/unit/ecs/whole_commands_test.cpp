@@ -157,5 +157,18 @@ TEST(WholeCommands, ASteadyUseDoesNotAllocate) {
     EXPECT_EQ(rambla::test::allocation_count(), before);
 }
 
+TEST(WholeCommands, DoNotMixUpSparseValuesOfEntitiesCreatedAroundThem) {
+    World world;
+    Commands commands;
+    const Entity before = commands.create(Burning{1});
+    commands.add_to_all<Frozen>();
+    const Entity behind = commands.create(Burning{2});
+    commands.apply(world);
+    EXPECT_EQ(world.get<Burning>(commands.created(before)).heat, 1);
+    EXPECT_EQ(world.get<Burning>(commands.created(behind)).heat, 2);
+    EXPECT_TRUE(world.has<Frozen>(commands.created(before)));
+    EXPECT_FALSE(world.has<Frozen>(commands.created(behind)));
+}
+
 }  // namespace
 }  // namespace rambla::ecs
