@@ -15,8 +15,10 @@ void Observers::end(ObserverId id) {
     detail::IterationMark::forbid(world_, "Observers::end");
     for (Observed& observed : observed_) {
         for (std::vector<Observer>& observers : observed.by_moment) {
-            if (std::erase_if(observers, [&](const Observer& observer) { return observer.id == id; }) != 0)
-                return;
+            if (std::erase_if(observers, [&](const Observer& observer) { return observer.id == id; }) == 0)
+                continue;
+            watches_.clear();
+            return;
         }
     }
     throw Misuse{"ecs: Observers::end: no observer has the number " + std::to_string(id.number)};
@@ -32,7 +34,24 @@ ObserverId Observers::insert(const ComponentInfo& info, Moment moment, Function 
     const ObserverId id{next_number_};
     observed->by_moment[static_cast<std::size_t>(moment)].push_back({id, std::move(call)});
     ++next_number_;
+    watches_.clear();
     return id;
+}
+
+bool Observers::find_watch(const Archetype& archetype) {
+    const ArchetypeGraph& graph = detail::WorldAccess::graph(world_);
+    const bool found = std::ranges::any_of(observed_, [&](const Observed& observed) {
+        if (!observed.at(Moment::add) && !observed.at(Moment::remove)) return false;
+        return observed.info->storage == Storage::sparse ||
+               archetype.has(graph.find_component(observed.info->type_index));
+    });
+    if (watches_.size() <= archetype.index()) watches_.resize(graph.size(), Watch::unknown);
+    watches_[archetype.index()] = found ? Watch::somebody : Watch::nobody;
+    return found;
+}
+
+bool Observers::watches(const ComponentInfo& info) const {
+    return std::ranges::find(observed_, &info, &Observed::info) != observed_.end();
 }
 
 void Observers::begin() {
@@ -250,8 +269,8 @@ std::size_t Observers::size() const {
 }
 
 std::size_t Observers::memory_bytes() const {
-    std::size_t bytes =
-        sizeof(Observers) + observed_.capacity() * sizeof(Observed) + announced_.capacity() * sizeof(Entity);
+    std::size_t bytes = sizeof(Observers) + observed_.capacity() * sizeof(Observed) +
+                        announced_.capacity() * sizeof(Entity) + watches_.capacity() * sizeof(Watch);
     for (const Observed& observed : observed_) {
         for (const std::vector<Observer>& observers : observed.by_moment)
             bytes += observers.capacity() * sizeof(Observer);

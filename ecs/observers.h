@@ -95,6 +95,7 @@ private:
 
     enum class Moment : std::uint8_t { remove, add, set };
     static constexpr std::size_t k_moments = 3;
+    enum class Watch : std::uint8_t { unknown, nobody, somebody };
 
     using Function = std::function<void(Entity, const void*, Commands&)>;
     struct Observer {
@@ -121,6 +122,14 @@ private:
     ObserverId observe(Moment moment, F f);
     ObserverId insert(const ComponentInfo& info, Moment moment, Function call);
 
+    /// Whether somebody may have to be told of entities of this archetype that begin or end.
+    bool watches(const Archetype& archetype) {
+        const std::uint32_t index = archetype.index();
+        const Watch known = index < watches_.size() ? watches_[index] : Watch::unknown;
+        return known != Watch::nobody && (known == Watch::somebody || find_watch(archetype));
+    }
+    bool find_watch(const Archetype& archetype);
+    [[nodiscard]] bool watches(const ComponentInfo& info) const;
     /// Begins to watch a change; what was noted of one that failed is forgotten.
     void begin();
     /// What a change is going to be: noted before it is made.
@@ -153,6 +162,7 @@ private:
     std::vector<Observed> observed_;      ///< in the order in which they were first observed
     std::array<Commands, 2> recordings_;  ///< one is recorded while the other is played
     std::size_t recording_ = 0;
+    std::vector<Watch> watches_;     ///< by archetype
     std::vector<Entity> announced_;  ///< that announce() returned
     std::exception_ptr error_;
     const ComponentInfo* last_recorder_ = nullptr;

@@ -26,16 +26,22 @@ World::~World() = default;
 
 void World::destroy(Entity entity) {
     detail::IterationMark::forbid(*this, "destroy");
-    if (entities_.find(entity) == nullptr) detail::throw_not_alive("destroy", {}, entity);
-    if (observers_ != nullptr) [[unlikely]]
-        before_end(entity);
-    end(entity);
-    if (observers_ != nullptr) [[unlikely]]
-        after_remove();
+    const EntityRecord* record = entities_.find(entity);
+    if (record == nullptr) detail::throw_not_alive("destroy", {}, entity);
+    if (observers_ != nullptr && observers_->watches(graph_[record->archetype])) [[unlikely]]
+        return destroy_observed(entity);
+    end(entity, *record);
 }
 
-void World::end(Entity entity) noexcept {
-    const EntityRecord& record = entities_[entity.index];
+void World::destroy_observed(Entity entity) {
+    observers_->begin();
+    observers_->note_end(entity);
+    observers_->before_change();
+    end(entity, entities_[entity.index]);
+    observers_->settle();
+}
+
+void World::end(Entity entity, const EntityRecord& record) noexcept {
     const std::uint32_t row = record.row;
     const Entity moved = graph_[record.archetype].erase(row, version_);
     if (moved != Entity{}) entities_[moved.index].row = row;
@@ -80,11 +86,9 @@ void World::share(Entity entity, const ComponentInfo& info, const void* value) {
     Archetype& from = graph_[record->archetype];
     Archetype& to = graph_.sharing(from, graph_.intern(info, value));
     if (&to == &from) return;
-    if (observers_ != nullptr) [[unlikely]]
-        before_add(entity, info);
+    const bool observed = observers_ != nullptr && before_add(entity, info);
     move(*record, to);
-    if (observers_ != nullptr) [[unlikely]]
-        after_add();
+    if (observed) after_add();
 }
 
 void World::take_away(Entity entity, const ComponentInfo& info) {
@@ -95,24 +99,23 @@ void World::take_away(Entity entity, const ComponentInfo& info) {
         SparseSet* set = graph_.sparse().find(graph_.find_component(info.type_index));
         const std::uint32_t place = set == nullptr ? SparseSet::k_none : set->find(entity);
         if (place == SparseSet::k_none) detail::throw_missing("remove", info.name, entity);
-        if (observers_ != nullptr) [[unlikely]]
-            before_remove(entity, info);
+        const bool observed = observers_ != nullptr && before_remove(entity, info);
         set->erase(place, version_);
-        if (observers_ != nullptr) [[unlikely]]
-            after_remove();
+        if (observed) observers_->settle();
         return;
     }
     const ComponentId component = graph_.find_component(info.type_index);
     Archetype& from = graph_[record->archetype];
     if (info.is_companion || !from.has(component)) detail::throw_missing("remove", info.name, entity);
     Archetype& to = graph_.toggled(from, component);
-    if (observers_ != nullptr) [[unlikely]] {
-        to.reserve_one();  // so that what observers are told of does not fail
-        before_remove(entity, info);
+    if (observers_ == nullptr) [[likely]] {
+        move(*record, to);
+        return;
     }
+    to.reserve_one();  // so that what observers are told of does not fail
+    const bool observed = before_remove(entity, info);
     move(*record, to);
-    if (observers_ != nullptr) [[unlikely]]
-        after_remove();
+    if (observed) observers_->settle();
 }
 
 Observers& World::observers() {
@@ -122,36 +125,31 @@ Observers& World::observers() {
 }
 
 void World::announce_new(Entity entity) {
-    (void)observers_->announce({&entity, 1});
+    if (observers_->watches(graph_[entities_[entity.index].archetype]))
+        (void)observers_->announce({&entity, 1});
 }
 
-void World::before_add(Entity entity, const ComponentInfo& info) {
+bool World::before_add(Entity entity, const ComponentInfo& info) {
+    if (!observers_->watches(info)) return false;
     detail::IterationMark::forbid(*this, "add");
     observers_->begin();
     const EntityRecord* record = entities_.find(entity);
-    if (record == nullptr) return;  // adding says so
+    if (record == nullptr) return false;  // adding says so
     const bool held = holds(entity, *record, info);
     observers_->note(entity, info, held ? Observers::Moment::set : Observers::Moment::add);
+    return true;
 }
 
-void World::before_remove(Entity entity, const ComponentInfo& info) {
+bool World::before_remove(Entity entity, const ComponentInfo& info) {
+    if (!observers_->watches(info)) return false;
     observers_->begin();
     observers_->note(entity, info, Observers::Moment::remove);
     observers_->before_change();
-}
-
-void World::before_end(Entity entity) {
-    observers_->begin();
-    observers_->note_end(entity);
-    observers_->before_change();
+    return true;
 }
 
 void World::after_add() {
     observers_->after_change();
-    observers_->settle();
-}
-
-void World::after_remove() {
     observers_->settle();
 }
 

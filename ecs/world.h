@@ -208,19 +208,18 @@ private:
         return {entity, archetype.push(entity, version_)};
     }
     /// Ends a living entity, which no observer is told.
-    void end(Entity entity) noexcept;
+    void end(Entity entity, const EntityRecord& record) noexcept;
+    void destroy_observed(Entity entity);
     void announce_new(Entity entity);
     /// Where to construct the component: raw memory, null for tags. Moves the entity, or ends the old value.
     void* slot_for(Entity entity, const ComponentInfo& info);
     void* sparse_slot_for(Entity entity, const ComponentInfo& info);
     void share(Entity entity, const ComponentInfo& info, const void* value);
     void take_away(Entity entity, const ComponentInfo& info);
-    /// Lets observers know of a change by add(), remove(), destroy().
-    void before_add(Entity entity, const ComponentInfo& info);
-    void before_remove(Entity entity, const ComponentInfo& info);
-    void before_end(Entity entity);
+    /// Lets observers know of a change that is going to be made. Returns whether the component has any.
+    bool before_add(Entity entity, const ComponentInfo& info);
+    bool before_remove(Entity entity, const ComponentInfo& info);
     void after_add();
-    void after_remove();
     /// Whether a living entity has the component, whatever its storage.
     [[nodiscard]] bool holds(Entity entity, const EntityRecord& record, const ComponentInfo& info) const;
     void age_versions() noexcept;
@@ -325,7 +324,7 @@ requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
         try {
             (construct_sparse(created.entity, values), ...);
         } catch (...) {
-            end(created.entity);
+            end(created.entity, entities_[created.entity.index]);
             throw;
         }
     }
@@ -338,12 +337,10 @@ template <Component C>
 void World::add(Entity entity, C value) {
     static_assert(!detail::k_is_enable_state<C>, "an EnableState comes with its component");
     if constexpr (storage_of<C> == Storage::shared) return share(entity, component_info<C>(), &value);
-    if (observers_ != nullptr) [[unlikely]]
-        before_add(entity, component_info<C>());
+    const bool observed = observers_ != nullptr && before_add(entity, component_info<C>());
     void* slot = slot_for(entity, component_info<C>());
     if constexpr (!is_tag<C>) std::construct_at(static_cast<C*>(slot), std::move(value));
-    if (observers_ != nullptr) [[unlikely]]
-        after_add();
+    if (observed) after_add();
 }
 
 template <Component C>

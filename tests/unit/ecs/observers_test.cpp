@@ -341,6 +341,25 @@ TEST(Observers, EndWhenToldTo) {
     EXPECT_EQ(text, "abb");
 }
 
+TEST(Observers, AreToldOfArchetypesThatNobodyObservedBefore) {
+    World world;
+    Observers& observers = world.observers();
+    (void)observers.on_add<Frozen>([](Entity) {});
+    const Entity first = world.create(Health{});
+    world.create(Position{});
+    std::string text;
+    (void)observers.on_add<Health>([&](Entity, const Health&) { text += "+h"; });
+    (void)observers.on_remove<Health>([&](Entity, const Health&) { text += "-h"; });
+    world.create(Health{});
+    world.destroy(first);
+    EXPECT_EQ(text, "+h-h");
+    (void)observers.on_remove<Burning>([&](Entity, const Burning&) { text += "-b"; });
+    const Entity burning = world.create(Position{});
+    world.add(burning, Burning{});
+    world.destroy(burning);
+    EXPECT_EQ(text, "+h-h-b") << "sparse ones may be anywhere";
+}
+
 TEST(Observers, AreToldInTheOrderOfKeysWhoeverRecordedFirst) {
     const auto play = [](bool backwards) {
         World world;
