@@ -9,7 +9,10 @@ namespace rambla::ecs::detail {
 namespace {
 
 /// How many entity records ahead of their turn are fetched: they lie anywhere.
-constexpr std::size_t k_ahead = 16;
+constexpr std::size_t k_ahead = 32;
+
+/// The same for rows of a column, which lie a little apart.
+constexpr std::size_t k_rows_ahead = 64;
 
 /// Copies rows of a size that the compiler knows; Width 0: of the size given.
 template <std::size_t Width>
@@ -75,28 +78,39 @@ void fill_gaps(const Archetype::Column& column, std::span<const std::uint32_t> g
         column.relocate_row(column.at(gaps[i]), fillers[i]);
 }
 
-/// Copies rows out and, as far as there are fillers, others of the column into their places.
-template <class Row>
+/// Copies row i of those listed out to place(i) and, as far as there are fillers, another row of the column
+/// into its place.
+template <class Row, class Place>
 void exchange(std::byte* to, std::byte* base, std::span<const std::uint32_t> rows,
-              std::span<const std::uint32_t> fillers) {
-    for (std::size_t i = 0; i < fillers.size(); ++i) {
+              std::span<const std::uint32_t> fillers, Place place) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i + k_rows_ahead < rows.size())
+{            __builtin_prefetch(base + std::size_t{rows[i + k_rows_ahead]} * sizeof(Row), 1);
+            __builtin_prefetch(to + place(i + k_rows_ahead) * sizeof(Row), 1);}
         std::byte* row = base + std::size_t{rows[i]} * sizeof(Row);
-        std::memcpy(to + i * sizeof(Row), row, sizeof(Row));
-        std::memcpy(row, base + std::size_t{fillers[i]} * sizeof(Row), sizeof(Row));
+        std::memcpy(to + place(i) * sizeof(Row), row, sizeof(Row));
+        if (i < fillers.size()) std::memcpy(row, base + std::size_t{fillers[i]} * sizeof(Row), sizeof(Row));
     }
-    gather<sizeof(Row)>(to + fillers.size() * sizeof(Row), base, rows.subspan(fillers.size()), sizeof(Row));
 }
 
+template <class Place>
 void exchange(const Archetype::Column& column, std::byte* to, std::span<const std::uint32_t> rows,
-              std::span<const std::uint32_t> fillers) {
+              std::span<const std::uint32_t> fillers, Place place) {
     if (column.moves_by_bytes && column.size == 4)
-        return exchange<std::uint32_t>(to, column.base, rows, fillers);
+        return exchange<std::uint32_t>(to, column.base, rows, fillers, place);
     if (column.moves_by_bytes && column.size == 8)
-        return exchange<std::uint64_t>(to, column.base, rows, fillers);
-    if (column.moves_by_bytes && column.size == 12) return exchange<Bytes12>(to, column.base, rows, fillers);
-    if (column.moves_by_bytes && column.size == 16) return exchange<Bytes16>(to, column.base, rows, fillers);
-    gather(column, to, rows);
+        return exchange<std::uint64_t>(to, column.base, rows, fillers, place);
+    if (column.moves_by_bytes && column.size == 12)
+        return exchange<Bytes12>(to, column.base, rows, fillers, place);
+    if (column.moves_by_bytes && column.size == 16)
+        return exchange<Bytes16>(to, column.base, rows, fillers, place);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        column.relocate_row(to + place(i) * column.size, rows[i]);
     fill_gaps(column, rows.first(fillers.size()), fillers);
+}
+
+std::size_t in_order(std::size_t i) {
+    return i;
 }
 
 void end_rows(const Archetype::Column& column, std::span<const std::uint32_t> rows) {
@@ -168,7 +182,7 @@ std::uint32_t BulkRows::move_and_close(Archetype& from, std::span<const std::uin
     fillers = fillers.first(find_fillers(old_end, rows, fillers));
     Entity* moved = to.entities_ + first;
     exchange<Entity>(reinterpret_cast<std::byte*>(moved), reinterpret_cast<std::byte*>(from.entities_), rows,
-                     fillers);
+                     fillers, in_order);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (i + k_ahead < rows.size()) entities.prefetch(moved[i + k_ahead].index);
         entities.place(moved[i].index, to.index(), first + static_cast<std::uint32_t>(i));
@@ -177,19 +191,42 @@ std::uint32_t BulkRows::move_and_close(Archetype& from, std::span<const std::uin
         if (i + k_ahead < fillers.size()) entities.prefetch(from.entities_[fillers[i + k_ahead]].index);
         entities[from.entities_[fillers[i]].index].row = rows[i];
     }
+    exchange_columns(from, rows, to, first, fillers, in_order);
+    return first;
+}
+
+void BulkRows::send(Archetype& from, std::span<const std::uint32_t> rows,
+                    std::span<const std::uint32_t> places, Archetype& to,
+                    std::span<std::uint32_t> fillers) const noexcept {
+    const std::uint32_t first = grow_rows(to, static_cast<std::uint32_t>(rows.size()));
+    fillers = fillers.first(find_fillers(from.rows_, rows, fillers));
+    for (std::size_t i = 0; i < fillers.size(); ++i) {
+        if (i + k_ahead < fillers.size()) entities.prefetch(from.entities_[fillers[i + k_ahead]].index);
+        if (i + k_rows_ahead < fillers.size()) __builtin_prefetch(from.entities_ + rows[i + k_rows_ahead], 1);
+        const Entity filler = from.entities_[fillers[i]];
+        from.entities_[rows[i]] = filler;
+        entities[filler.index].row = rows[i];
+    }
+    exchange_columns(from, rows, to, first, fillers, [&](std::size_t i) -> std::size_t { return places[i]; });
+}
+
+template <class Place>
+void BulkRows::exchange_columns(Archetype& from, std::span<const std::uint32_t> rows, Archetype& to,
+                                std::uint32_t first, std::span<const std::uint32_t> fillers,
+                                Place place) const noexcept {
     for (const Archetype::Column& source : from.columns_) {
         const ColumnIndex target = to.column_of(source.component);
         if (target != k_no_column) {
-            exchange(source, to.columns_[target].at(first), rows, fillers);
+            exchange(source, to.columns_[target].at(first), rows, fillers, place);
         } else {
             end_rows(source, rows);
             fill_gaps(source, rows.first(fillers.size()), fillers);
         }
     }
+    const std::uint32_t old_end = from.rows_;
     from.rows_ = old_end - static_cast<std::uint32_t>(rows.size());
     stamp_each(from, rows.first(fillers.size()));
     stamp(from, from.rows_, old_end);
-    return first;
 }
 
 std::size_t BulkRows::find_fillers(std::uint32_t old_end, std::span<const std::uint32_t> gaps,

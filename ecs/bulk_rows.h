@@ -40,6 +40,15 @@ struct BulkRows {
     /// while it is still in the cache.
     std::uint32_t move_and_close(Archetype& from, std::span<const std::uint32_t> rows, Archetype& to,
                                  std::span<std::uint32_t> fillers) const noexcept;
+    /// Names the entity of a row; of one behind the last, ahead of send(), too.
+    static void set_entity(Archetype& archetype, std::uint32_t row, Entity entity) noexcept {
+        archetype.entities_[row] = entity;
+    }
+    /// The same into places of the caller's choice: row rows[i] becomes number places[i] of those that come
+    /// to `to`, whose entities and records the caller has written.
+    /// @param places  every number below rows.size() once
+    void send(Archetype& from, std::span<const std::uint32_t> rows, std::span<const std::uint32_t> places,
+              Archetype& to, std::span<std::uint32_t> fillers) const noexcept;
     /// Makes sure that move_all() has room, and whether it may hand over whole columns. May fail.
     static void reserve_all(Archetype& from, Archetype& to);
     /// Moves all rows as move() does. Columns change hands where `to` is empty. Returns the first.
@@ -56,6 +65,11 @@ private:
     /// The rows behind the new end that do not leave. Returns how many there are.
     static std::size_t find_fillers(std::uint32_t old_end, std::span<const std::uint32_t> gaps,
                                     std::span<std::uint32_t> fillers) noexcept;
+    /// Relocates rows and fills the gaps that they leave, column by column, the entities excepted.
+    template <class Place>
+    void exchange_columns(Archetype& from, std::span<const std::uint32_t> rows, Archetype& to,
+                          std::uint32_t first, std::span<const std::uint32_t> fillers,
+                          Place place) const noexcept;
     void stamp_each(Archetype& archetype, std::span<const std::uint32_t> rows) const noexcept;
     std::uint32_t grow_rows(Archetype& to, std::uint32_t count) const noexcept;
     void stamp(Archetype& archetype, std::uint32_t first, std::uint32_t end) const noexcept;

@@ -97,23 +97,31 @@ struct CommandLayout {
 };
 
 template <CommandKind Kind, class... Cs>
-const CommandType& command_type() {
-    static const std::array<CommandPart, sizeof...(Cs)> parts = [] {
+struct CommandTypeOf {
+    std::array<CommandPart, sizeof...(Cs)> parts;
+    CommandType type{Kind, false, false, false, parts};
+
+    CommandTypeOf() {
         [[maybe_unused]] std::size_t i = 0;
-        return std::array<CommandPart, sizeof...(Cs)>{
-            command_part<Cs>(CommandLayout<Cs...>::offsets[i++])...};
-    }();
-    static const CommandType type = [] {
-        CommandType result{Kind, false, false, false, parts};
+        parts = {command_part<Cs>(CommandLayout<Cs...>::offsets[i++])...};
         for (const CommandPart& part : parts) {
-            result.beside_columns = result.beside_columns || part.info->storage != Storage::column;
+            type.beside_columns = type.beside_columns || part.info->storage != Storage::column;
             if (Kind == CommandKind::remove) continue;
-            result.holds_entities = result.holds_entities || part.resolve != nullptr;
-            result.values_end = result.values_end || part.info->destroy != nullptr;
+            type.holds_entities = type.holds_entities || part.resolve != nullptr;
+            type.values_end = type.values_end || part.info->destroy != nullptr;
         }
-        return result;
-    }();
-    return type;
+    }
+    CommandTypeOf(const CommandTypeOf&) = delete;
+    CommandTypeOf& operator=(const CommandTypeOf&) = delete;
+};
+
+/// Made before main(): a static inside the function would be asked for its guard by every command.
+template <CommandKind Kind, class... Cs>
+inline const CommandTypeOf<Kind, Cs...> k_command_type;
+
+template <CommandKind Kind, class... Cs>
+const CommandType& command_type() {
+    return k_command_type<Kind, Cs...>.type;
 }
 
 }  // namespace detail

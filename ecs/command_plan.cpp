@@ -1,6 +1,7 @@
 #include "ecs/command_plan.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -53,7 +54,8 @@ void CommandPlan::clear() {
 
 void CommandPlan::find_rows(const EntityTable& entities, CreatedEntities created) {
     const auto creation_key = static_cast<std::uint32_t>(graph_->size());
-    section_of_archetype_.resize(graph_->size() + 1);
+    // With room for archetypes that the last commands gave birth to, which the next ones find.
+    section_of_archetype_.resize(std::bit_ceil(std::max<std::size_t>(graph_->size() + 1, 64)));
     items_.reserve(commands_.size());
     for (std::uint32_t i = 0; i < commands_.size(); ++i) {
         if (i + k_ahead < commands_.size()) entities.prefetch(commands_[i + k_ahead].entity.index);

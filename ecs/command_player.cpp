@@ -45,7 +45,10 @@ Playback CommandPlayer::play_once(std::span<Commands* const> recordings) {
             std::size_t end = next;
             while (end < commands_.size() && commands_[end].type->fits == nullptr)
                 ++end;
-            if (end != next) {
+            if (world_.observers_ == nullptr &&
+                alike_.play(world_.graph_, bulk(), commands_.subspan(next, end - next))) {
+                next = end;
+            } else if (end != next) {
                 dropped += play_single(recordings, next, end);
                 next = end;
                 write_sparse();
@@ -376,7 +379,8 @@ void CommandPlayer::give_created_to(std::span<Commands* const> recordings) {
 }
 
 std::size_t CommandPlayer::memory_bytes() const {
-    return sizeof(CommandPlayer) + plan_.memory_bytes() + merged_.capacity() * sizeof(Command) +
+    return sizeof(CommandPlayer) + plan_.memory_bytes() + alike_.memory_bytes() +
+           merged_.capacity() * sizeof(Command) +
            (placeholders_.capacity() + fillers_.capacity()) * sizeof(std::uint32_t) +
            (created_.capacity() + fresh_.capacity()) * sizeof(Entity) +
            incoming_.capacity() * sizeof(std::uint64_t) + commands_before_.capacity() * sizeof(std::size_t) +

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ecs/alike_moves.h"
 #include "ecs/bulk_rows.h"
 #include "ecs/command_plan.h"
 #include "ecs/commands.h"
@@ -62,6 +63,7 @@ private:
     void give_created_to(std::span<Commands* const> recordings);
 
     World& world_;
+    AlikeMoves alike_;
     CommandPlan plan_;
     std::span<const Command> commands_;         ///< of all recordings
     std::vector<Command> merged_;               ///< where commands_ are if there are several recordings

@@ -11,8 +11,8 @@ struct RowCommand {
     std::uint32_t command;
 };
 
-/// Sorts by rows; commands of one row keep their order. Radix sort by 11 bits at a time from the lowest on:
-/// three passes at most, and none over digits that no row reaches.
+/// Sorts by rows; commands of one row keep their order. Radix sort from the lowest bits on, as many at
+/// a time as make the fewest passes of at most 11 bits each.
 /// @param scratch      as long as `items`
 /// @param highest_row  that occurs
 void sort_by_row(std::span<RowCommand> items, std::span<RowCommand> scratch, std::uint32_t highest_row);
