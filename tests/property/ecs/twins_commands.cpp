@@ -37,7 +37,7 @@ template <class... Cs>
 void Twins::record_create_with(Recording& recording, std::uint32_t n) {
     const Entity placeholder = recording.commands->create(make_part<Cs>(n)...);
     recording.placeholders.push_back(placeholder);
-    recording.effects.emplace_back([this, placeholder, n](const Commands& commands) {
+    recording.effects.emplace_back([=, this](const Commands& commands) {
         ModelEntity state = newborn();
         ((state.parts[part_number<Cs>()] = value_of<Cs>(n)), ...);
         model_.born(commands.created(placeholder), state);
