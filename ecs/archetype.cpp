@@ -140,7 +140,7 @@ void Archetype::compact() {
             column.base = nullptr;
     } else if (!reserved_.empty() && fitting > k_pooled_rows) {
         for (std::size_t i = 0; i < reserved_.size(); ++i)
-            reserved_[i].decommit(stagger(i) + std::size_t{fitting} * row_bytes(i));
+            reserved_[i].decommit(begin_in_reserved(i) + std::size_t{fitting} * row_bytes(i));
     } else if (!reserved_.empty() || fitting < capacity_) {
         grow_block(fitting);
         std::vector<ReservedMemory>{}.swap(reserved_);

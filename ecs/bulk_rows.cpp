@@ -84,9 +84,10 @@ template <class Row, class Place>
 void exchange(std::byte* to, std::byte* base, std::span<const std::uint32_t> rows,
               std::span<const std::uint32_t> fillers, Place place) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (i + k_rows_ahead < rows.size())
-{            __builtin_prefetch(base + std::size_t{rows[i + k_rows_ahead]} * sizeof(Row), 1);
-            __builtin_prefetch(to + place(i + k_rows_ahead) * sizeof(Row), 1);}
+        if (i + k_rows_ahead < rows.size()) {
+            __builtin_prefetch(base + std::size_t{rows[i + k_rows_ahead]} * sizeof(Row), 1);
+            __builtin_prefetch(to + place(i + k_rows_ahead) * sizeof(Row), 1);
+        }
         std::byte* row = base + std::size_t{rows[i]} * sizeof(Row);
         std::memcpy(to + place(i) * sizeof(Row), row, sizeof(Row));
         if (i < fillers.size()) std::memcpy(row, base + std::size_t{fillers[i]} * sizeof(Row), sizeof(Row));
@@ -293,7 +294,7 @@ std::uint32_t BulkRows::move_all(Archetype& from, Archetype& to) const noexcept 
     const std::uint32_t first = to.rows_;
     const bool hands_over = can_hand_over(from, to) && !to.reserved_.empty();
     if (hands_over) hand_over(from, to);
-    grow_rows(to, count);
+    grow_rows(to, count, &from);
     if (!hands_over) std::copy_n(from.entities_, count, to.entities_ + first);
     for (std::uint32_t i = 0; i < count; ++i) {
         if (i + k_ahead < count) entities.prefetch(to.entities_[first + i + k_ahead].index);
@@ -347,13 +348,16 @@ void BulkRows::stamp_column(Archetype& archetype, ColumnIndex column, std::uint3
         archetype.stamp(column, row / k_chunk_rows, version);
 }
 
-std::uint32_t BulkRows::grow_rows(Archetype& to, std::uint32_t count) const noexcept {
+std::uint32_t BulkRows::grow_rows(Archetype& to, std::uint32_t count,
+                                  const Archetype* brought_from) const noexcept {
     const std::uint32_t first = to.rows_;
     to.rows_ += count;
     stamp(to, first, to.rows_);
     if (!to.has_companions_) return first;
     for (const Archetype::Column& column : to.columns_) {
-        if (column.info->is_companion) std::memset(column.at(first), 0, std::size_t{count} * column.size);
+        if (!column.info->is_companion) continue;
+        if (brought_from != nullptr && brought_from->has(column.component)) continue;
+        std::memset(column.at(first), 0, std::size_t{count} * column.size);
     }
     return first;
 }

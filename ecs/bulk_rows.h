@@ -71,7 +71,9 @@ private:
                           std::uint32_t first, std::span<const std::uint32_t> fillers,
                           Place place) const noexcept;
     void stamp_each(Archetype& archetype, std::span<const std::uint32_t> rows) const noexcept;
-    std::uint32_t grow_rows(Archetype& to, std::uint32_t count) const noexcept;
+    /// Appends rows that the caller fills. Companions are zero, but for those that the rows bring with them.
+    std::uint32_t grow_rows(Archetype& to, std::uint32_t count,
+                            const Archetype* brought_from = nullptr) const noexcept;
     void stamp(Archetype& archetype, std::uint32_t first, std::uint32_t end) const noexcept;
 };
 

@@ -380,7 +380,7 @@ std::size_t CommandPlan::memory_bytes() const {
            bytes(section_order_) + bytes(section_of_archetype_) + bytes(groups_) +
            bytes(group_of_archetype_) + bytes(gaps_) + bytes(rows_) + bytes(ranges_) + bytes(group_of_row_) +
            bytes(scratch_rows_) + bytes(scratch_ranges_) + bytes(gap_rows_) + bytes(writes_) +
-           bytes(sparse_) + bytes(obsolete_) + bytes(signature_);
+           bytes(values_) + bytes(sparse_) + bytes(obsolete_) + bytes(signature_);
 }
 
 }  // namespace rambla::ecs::detail

@@ -55,7 +55,7 @@ Playback CommandPlayer::play_once(std::span<Commands* const> recordings) {
                 if (world_.observers_ != nullptr) world_.observers_->after_change(created_by_plan());
             }
             if (next == commands_.size()) break;
-            play_whole(commands_[next]);
+            play_whole(commands_[next], recording_of(next));
             ++next;
         }
     } catch (...) {
@@ -81,7 +81,7 @@ std::size_t CommandPlayer::play_single(std::span<Commands* const> recordings, st
     return plan_.dropped();
 }
 
-void CommandPlayer::play_whole(const Command& command) {
+void CommandPlayer::play_whole(const Command& command, std::size_t recording) {
     whole_.clear();
     for (std::size_t i = 0; i < world_.graph_.size(); ++i) {
         Archetype& archetype = world_.graph_[i];
@@ -100,7 +100,7 @@ void CommandPlayer::play_whole(const Command& command) {
     } else if (command.type->kind == CommandKind::remove) {
         remove_from_whole(command.type->parts[0]);
     } else {
-        resolve_parts(command, created_);
+        resolve_parts(command, created_of(recording));
         add_to_whole(command, command.type->parts[0]);
         destroy_rows(*command.type->parts[0].info, command.values, 1);
         if (observers != nullptr) observers->after_change();
@@ -362,6 +362,11 @@ void CommandPlayer::write_sparse() {
         }
         throw;
     }
+}
+
+std::size_t CommandPlayer::recording_of(std::size_t command) const {
+    const auto next = std::ranges::upper_bound(commands_before_, command);
+    return static_cast<std::size_t>(next - commands_before_.begin()) - 1;
 }
 
 CreatedEntities CommandPlayer::created_of(std::size_t recording) const {

@@ -34,7 +34,7 @@ private:
     void merge(std::span<Commands* const> recordings);
     /// Plays commands about single entities. Says how many were dropped.
     std::size_t play_single(std::span<Commands* const> recordings, std::size_t first, std::size_t end);
-    void play_whole(const Command& command);
+    void play_whole(const Command& command, std::size_t recording);
     void add_to_whole(const Command& command, const CommandPart& part);
     void replace_whole(const Command& command, const ComponentInfo& info, Archetype& archetype,
                        ColumnIndex column, std::uint32_t first_row, bool ends_old) noexcept;
@@ -48,6 +48,7 @@ private:
     void create_handles() noexcept;
     void resolve_placeholders(std::span<Commands* const> recordings, std::size_t first) noexcept;
     static void resolve_parts(const Command& command, CreatedEntities created) noexcept;
+    [[nodiscard]] std::size_t recording_of(std::size_t command) const;
     [[nodiscard]] CreatedEntities created_of(std::size_t recording) const;
     void append_created(const PlannedGroup& group, const BulkRows& bulk) noexcept;
     void write(const PlannedGroup& group, std::uint32_t first_row) noexcept;

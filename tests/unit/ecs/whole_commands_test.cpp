@@ -5,7 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "ecs/command_queue.h"
 #include "ecs/commands.h"
+#include "ecs/parent.h"
 #include "ecs/query.h"
 #include "support/allocation_counter.h"
 #include "unit/ecs/parts.h"
@@ -168,6 +170,52 @@ TEST(WholeCommands, DoNotMixUpSparseValuesOfEntitiesCreatedAroundThem) {
     EXPECT_EQ(world.get<Burning>(commands.created(behind)).heat, 2);
     EXPECT_TRUE(world.has<Frozen>(commands.created(before)));
     EXPECT_FALSE(world.has<Frozen>(commands.created(behind)));
+}
+
+TEST(WholeCommands, LeaveEnableBitsAsTheyWere) {
+    for (const int count : {200, 1000}) {  // in a block of the pool, and in columns that change hands
+        World world;
+        std::vector<Entity> entities;
+        for (int i = 0; i < count; ++i) {
+            entities.push_back(world.create(Light{}));
+            world.set_enabled<Light>(entities.back(), i % 3 != 0);
+        }
+        Commands commands;
+        commands.add_to_all<Health>({7});
+        commands.apply(world);
+        for (int i = 0; i < count; ++i)
+            ASSERT_EQ(world.enabled<Light>(entities[static_cast<std::size_t>(i)]), i % 3 != 0) << i;
+    }
+}
+
+TEST(WholeCommands, ColumnsThatChangedHandsKeepTheirRowsWhenMemoryIsGivenBack) {
+    World world;
+    std::vector<Entity> entities;
+    for (int i = 0; i < 4080; ++i)
+        entities.push_back(world.create(Position{}, Velocity{}, Health{i}, Line{}));
+    Commands commands;
+    commands.remove_from_all<Position>();
+    commands.remove_from_all<Velocity>();
+    commands.apply(world);
+    world.compact();
+    for (int i = 0; i < 1024; ++i)
+        world.create(Health{-1}, Line{});
+    for (int i = 0; i < 4080; ++i)
+        ASSERT_EQ(world.get<Health>(entities[static_cast<std::size_t>(i)]).points, i);
+}
+
+TEST(WholeCommands, PlaceholdersInTheirValuesAreThoseOfTheirRecording) {
+    World world;
+    world.create(Health{1});
+    CommandQueue queue;
+    queue.recording({0, 0}).create(Byte{100});
+    Commands& second = queue.recording({0, 1});
+    const Entity made = second.create(Byte{200});
+    second.add_to_all<Parent, With<Health>>({made});
+    queue.apply(world);
+    Query<const Parent> query;
+    query.each(world, [&](const Parent& parent) { EXPECT_EQ(world.get<Byte>(parent.entity).value, 200); });
+    EXPECT_EQ(query.count(world), 1u);
 }
 
 }  // namespace
