@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ecs/parameter.h"
+#include "ecs/world_access.h"
 
 namespace rambla::ecs {
 
@@ -128,11 +129,16 @@ struct Parameter<EventReader<E>> : PlainParameter {
     static void prepare(World& world) { events_of<E>(world); }
     EventReader<E> fetch(SystemContext& context) {
         const auto& events = static_cast<const World*>(context.world)->resource<Events<E>>();
+        if (seen_world != WorldAccess::serial(*context.world)) {
+            seen_world = WorldAccess::serial(*context.world);
+            next_unread = 0;
+        }
         const std::uint64_t from = std::exchange(next_unread, events.end());
         return {events.of_last_step(from), events.of_this_step(from)};
     }
 
     std::uint64_t next_unread = 0;
+    std::uint64_t seen_world = 0;  ///< its serial
 };
 
 template <class E>

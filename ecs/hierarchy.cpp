@@ -167,11 +167,17 @@ std::size_t Hierarchy::carry_out() {
         std::sort(list->begin(), list->end(), by_index);
         list->erase(std::unique(list->begin(), list->end()), list->end());
     }
-    for (const Entity entity : freed_)
-        world_.remove<Parent>(entity);
-    for (const Entity entity : ending_)
+    // Observers of one may have ended, or freed, another that is still to come.
+    for (const Entity entity : freed_) {
+        if (world_.alive(entity) && world_.has<Parent>(entity)) world_.remove<Parent>(entity);
+    }
+    std::size_t ended = 0;
+    for (const Entity entity : ending_) {
+        if (!world_.alive(entity)) continue;
         world_.destroy(entity);
-    return ending_.size();
+        ++ended;
+    }
+    return ended;
 }
 
 }  // namespace rambla::ecs

@@ -10,6 +10,10 @@ struct Since {
     std::uint32_t version = 0;
 };
 
+/// That many versions ago lies before all that a world knows: every 2²⁹ versions it raises those that are
+/// more than 2³⁰ old.
+inline constexpr std::uint32_t k_before_all_versions = (3u << 29u) + 1;
+
 /// Whether `a` came after `b`. Versions wrap around after 2³²; holds for distances below 2³¹.
 constexpr bool is_after(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::int32_t>(a - b) > 0;

@@ -10,6 +10,7 @@
 #include "ecs/parameter.h"
 #include "ecs/query.h"
 #include "ecs/term_access.h"
+#include "ecs/world_access.h"
 
 namespace rambla::ecs {
 
@@ -32,6 +33,7 @@ public:
         detail::LoopCost cost;
         Since since;              ///< for Changed terms
         std::uint32_t until = 0;  ///< the next run's `since`
+        std::uint64_t world = 0;  ///< serial of the one looked at
     };
     View(State& state, detail::SystemContext& context) : state_{&state}, context_{&context} {}
 
@@ -129,7 +131,12 @@ struct Parameter<View<Terms...>> : PlainParameter {
         (TermAccess<Terms>::visit(add), ...);
     }
     View<Terms...> fetch(SystemContext& context) {
-        state.since.version = std::exchange(state.until, context.world->version() - 1);
+        const World& world = *context.world;
+        if (state.world != WorldAccess::serial(world)) {
+            state.world = WorldAccess::serial(world);
+            state.until = world.version() - k_before_all_versions;
+        }
+        state.since.version = std::exchange(state.until, world.version() - 1);
         return {state, context};
     }
 

@@ -150,7 +150,9 @@ public:
     /// Begins a new version, so that later writes can be told from earlier ones. Returns the one that ended.
     /// Versions wrap around after 2³². Comparisons hold for readers that look at least every 2³⁰ versions;
     /// what was written longer ago counts as written then.
+    /// Throws Misuse in a system that shares the world.
     std::uint32_t advance_version() {
+        detail::AccessScope::require_alone(*this, "advance_version");
         if (++version_ % k_aging_interval == 0) age_versions();
         return version_ - 1;
     }

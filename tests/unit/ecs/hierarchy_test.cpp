@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ecs/observers.h"
 #include "ecs/query.h"
 #include "support/allocation_counter.h"
 #include "unit/ecs/parts.h"
@@ -335,6 +336,19 @@ TEST_F(HierarchyEnds, EqualsANaiveModelUnderRandomChanges) {
             }
         }
     }
+}
+
+TEST(HierarchyAndObservers, WhatAnObserverEndedIsNotEndedTwice) {
+    World world;
+    const Entity root = world.create(Health{1});
+    const Entity first = world.create(Parent{root});
+    const Entity second = world.create(Parent{root});
+    world.observers().on_remove<Health>(
+        [&](Entity, const Health&, Commands& later) { later.destroy(first); });
+    Hierarchy hierarchy{world};
+    EXPECT_EQ(hierarchy.destroy(root), 2u);
+    for (Entity entity : {root, first, second})
+        EXPECT_FALSE(world.alive(entity));
 }
 
 }  // namespace

@@ -35,6 +35,24 @@ TEST(View, ChangedFindsWhatLaterSystemsWroteInTheLastRun) {
     EXPECT_THAT(found, ElementsAre(1, 1, 1, 0, 0)) << "new, written twice, then left alone";
 }
 
+TEST(View, TheFirstLookAtAnyWorldSeesEverything) {
+    std::size_t found = 0;
+    Schedule schedule;
+    schedule.add("look", [&](View<const Position, Changed<Position>> changed) { found = changed.count(); });
+    for (const std::uint32_t first_version : {1u, 0x80000010u, 1u, 0xf0000000u}) {
+        WorldOptions options;
+        options.first_version = first_version;
+        World world{options};
+        for (int i = 0; i < 5; ++i)
+            world.create(Position{});
+        schedule.run(world);
+        EXPECT_EQ(found, 5u) << first_version;
+        for (int run = 0; run < 50; ++run)
+            schedule.run(world);
+        EXPECT_EQ(found, 0u) << first_version;
+    }
+}
+
 TEST(View, ChangedConflictsWithWriters) {
     Schedule schedule;
     schedule.add("write", [](View<Position>) {});
