@@ -22,6 +22,9 @@ systems::SavedPlace place_of(const Stage& stage, const Options& options) {
 }
 
 std::vector<std::byte> read(const std::filesystem::path& file) {
+    std::error_code missing;
+    if (std::filesystem::is_directory(file, missing))
+        throw assets::Error{file.string(), "", "a folder", "a saved state"};
     std::ifstream in{file, std::ios::binary};
     const std::vector<char> characters{std::istreambuf_iterator<char>{in}, {}};
     if (!in.is_open() || in.bad())
@@ -41,7 +44,10 @@ void save_state_file(const std::filesystem::path& file, Stage& stage, const Opti
     out.close();
     std::error_code failure;
     if (out) std::filesystem::rename(unfinished, file, failure);
-    if (!out || failure) throw assets::Error{file.string(), "", "a place that cannot be written to", ""};
+    if (out && !failure) return;
+    std::error_code ignored;
+    std::filesystem::remove(unfinished, ignored);
+    throw assets::Error{file.string(), "", "a place that cannot be written to", ""};
 }
 
 void load_state_file(const std::filesystem::path& file, Stage& stage, const Options& options) {
