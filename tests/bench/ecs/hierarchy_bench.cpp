@@ -1,4 +1,5 @@
 #include <benchmark/benchmark.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <array>
 #include <cstddef>
@@ -150,8 +151,9 @@ void bare(benchmark::State& state) {
     count(state);
 }
 
-template <auto make_arrays>
+template <auto make_arrays, std::size_t Threads>
 void rambla(benchmark::State& state) {
+    const tbb::global_control limit{tbb::global_control::max_allowed_parallelism, Threads};
     Trees trees{make_arrays(trees_of(state))};
     for (auto _ : state) {
         trees.touch_all();
@@ -179,6 +181,7 @@ void bare_dirty(benchmark::State& state) {
 
 template <auto make_arrays>
 void rambla_dirty(benchmark::State& state) {
+    const tbb::global_control one{tbb::global_control::max_allowed_parallelism, 1};
     Trees trees{make_arrays(trees_of(state))};
     float turn = 0.0f;
     for (auto _ : state) {
@@ -196,9 +199,10 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
 }
 
 BENCHMARK(bare<Arrays::by_depth>)->Name("hierarchy/bare")->Apply(sizes);
-BENCHMARK(rambla<Arrays::by_depth>)->Name("hierarchy/rambla")->Apply(sizes);
+BENCHMARK(rambla<Arrays::by_depth, 1>)->Name("hierarchy/rambla")->Apply(sizes);
+BENCHMARK(rambla<Arrays::by_depth, 2>)->Name("hierarchy/rambla_2threads")->Apply(sizes)->UseRealTime();
 BENCHMARK(bare<Arrays::by_tree>)->Name("hierarchy_by_tree/bare")->Apply(sizes);
-BENCHMARK(rambla<Arrays::by_tree>)->Name("hierarchy_by_tree/rambla")->Apply(sizes);
+BENCHMARK(rambla<Arrays::by_tree, 1>)->Name("hierarchy_by_tree/rambla")->Apply(sizes);
 BENCHMARK(bare_dirty<Arrays::by_tree>)->Name("hierarchy_dirty_1_percent/bare")->Apply(sizes);
 BENCHMARK(rambla_dirty<Arrays::by_tree>)->Name("hierarchy_dirty_1_percent/rambla")->Apply(sizes);
 
