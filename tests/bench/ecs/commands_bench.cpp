@@ -7,18 +7,15 @@
 #include <span>
 #include <vector>
 
+#include "bench/ecs/parts.h"
 #include "ecs/commands.h"
 #include "ecs/world.h"
 
 namespace rambla::ecs {
 namespace {
 
-struct Place {
-    float x = 1.0f, y = 2.0f, z = 3.0f;
-};
-struct Speed {
-    float x = 4.0f, y = 5.0f, z = 6.0f;
-};
+using namespace bench;
+
 struct Force {
     float x = 7.0f, y = 8.0f, z = 9.0f;
 };
@@ -110,10 +107,6 @@ private:
     std::vector<Entity> entities_;
     std::size_t turn_ = 0;
 };
-
-void sizes(benchmark::internal::Benchmark* benchmark) {
-    benchmark->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMicrosecond);
-}
 
 std::vector<Entity> bare_handles(std::uint32_t count) {
     std::vector<Entity> entities;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bench/ecs/parts.h"
 #include "ecs/commands.h"
 #include "ecs/create_many.h"
 #include "ecs/world.h"
@@ -10,22 +11,13 @@
 namespace rambla::ecs {
 namespace {
 
-struct Place {
-    float x = 1.0f, y = 2.0f, z = 3.0f;
-};
-struct Speed {
-    float x = 4.0f, y = 5.0f, z = 6.0f;
-};
+using namespace bench;
 
 /// A handle's slot as a bare program keeps it: where the row is, and how often the slot was used.
 struct Slot {
     std::uint32_t row;
     std::uint32_t generation;
 };
-
-void sizes(benchmark::internal::Benchmark* benchmark) {
-    benchmark->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMicrosecond);
-}
 
 void bare(benchmark::State& state) {
     const auto count = static_cast<std::uint32_t>(state.range(0));

@@ -3,17 +3,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "bench/ecs/parts.h"
 #include "ecs/world.h"
 
 namespace rambla::ecs {
 namespace {
 
-struct Place {
-    float x = 1.0f, y = 2.0f, z = 3.0f;
-};
-struct Speed {
-    float x = 4.0f, y = 5.0f, z = 6.0f;
-};
+using namespace bench;
 
 /// The same arrays, kept by hand: rows without gaps, and a slot per handle that says where its row is.
 class Table {
@@ -59,10 +55,6 @@ private:
     std::vector<Speed> speeds_;
     std::uint32_t first_free_ = 0xffffffffu;
 };
-
-void sizes(benchmark::internal::Benchmark* benchmark) {
-    benchmark->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMicrosecond);
-}
 
 void bare_each(benchmark::State& state) {
     const auto count = static_cast<std::uint32_t>(state.range(0));

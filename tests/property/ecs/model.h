@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ecs/entity.h"
+#include "ecs/misuse.h"
 #include "property/ecs/parts.h"
 
 namespace rambla::ecs::property {
@@ -21,6 +22,16 @@ public:
 
 inline void expect(bool agreed, const char* what) {
     if (!agreed) throw Disagreement{what};
+}
+
+template <class F>
+void expect_misuse(F&& call, const char* what) {
+    try {
+        call();
+    } catch (const Misuse&) {
+        return;
+    }
+    throw Disagreement{what};
 }
 
 /// What an entity should have, and when that was last touched.

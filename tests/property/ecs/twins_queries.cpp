@@ -77,16 +77,6 @@ void check_changed_since(const World& world, Model& model, std::uint32_t seen) {
     }
 }
 
-template <class F>
-void expect_misuse(F&& call, const char* what) {
-    try {
-        call();
-    } catch (const Misuse&) {
-        return;
-    }
-    throw Disagreement{what};
-}
-
 }  // namespace
 
 void Twins::check_query(const Operation& operation) {

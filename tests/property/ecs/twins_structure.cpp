@@ -10,16 +10,6 @@ namespace {
 /// Above this, waves of creation end waves of entities instead.
 constexpr std::size_t k_most_entities = 6000;
 
-template <class F>
-void expect_misuse(F&& call, const char* what) {
-    try {
-        call();
-    } catch (const Misuse&) {
-        return;
-    }
-    throw Disagreement{what};
-}
-
 }  // namespace
 
 template <class... Cs>
