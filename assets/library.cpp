@@ -25,14 +25,13 @@ SceneOffsets append(Scene& into, Scene from) {
                           .models = static_cast<std::uint32_t>(into.models.size()),
                           .cameras = static_cast<std::uint32_t>(into.cameras.size()),
                           .lights = static_cast<std::uint32_t>(into.lights.size()),
-                          .nodes = static_cast<std::uint32_t>(into.nodes.size())};
+                          .nodes = static_cast<std::uint32_t>(into.nodes.size()),
+                          .skeletons = static_cast<std::uint32_t>(into.skeletons.size()),
+                          .clips = static_cast<std::uint32_t>(into.clips.size())};
     for (Texture& texture : from.textures)
         shift(texture.image, at.images);
     for (Material& material : from.materials)
-        for (TextureSlot* slot :
-             {&material.base_colour_texture, &material.metalness_roughness_texture, &material.normal_texture,
-              &material.occlusion_texture, &material.emissive_texture})
-            shift(slot->texture, at.textures);
+        for_each_texture_slot(material, [&](TextureSlot& slot) { shift(slot.texture, at.textures); });
     for (Model& model : from.models)
         for (ModelPart& part : model.parts) {
             shift(part.mesh, at.meshes);
@@ -45,7 +44,16 @@ SceneOffsets append(Scene& into, Scene from) {
         shift(node.model, at.models);
         shift(node.camera, at.cameras);
         shift(node.light, at.lights);
+        shift(node.skeleton, at.skeletons);
+        for (std::uint32_t& node_index : node.coarser)
+            shift(node_index, at.nodes);
     }
+    for (Skeleton& skeleton : from.skeletons)
+        for (std::uint32_t& joint : skeleton.joints)
+            shift(joint, at.nodes);
+    for (Clip& clip : from.clips)
+        for (Channel& channel : clip.channels)
+            shift(channel.node, at.nodes);
     for (std::uint32_t& root : from.roots)
         shift(root, at.nodes);
 
@@ -57,6 +65,8 @@ SceneOffsets append(Scene& into, Scene from) {
     move_behind(into.cameras, from.cameras);
     move_behind(into.lights, from.lights);
     move_behind(into.nodes, from.nodes);
+    move_behind(into.skeletons, from.skeletons);
+    move_behind(into.clips, from.clips);
     move_behind(into.roots, from.roots);
     return at;
 }

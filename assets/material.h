@@ -53,7 +53,11 @@ struct Material {
     float normal_scale = 1.0f;
     float occlusion_strength = 1.0f;
     glm::vec3 emissive{
-        0.0f};  ///< radiance, scaled as architecture's 1.0 = white under the noon sun; may exceed 1
+        0.0f};         ///< radiance, scaled as architecture's 1.0 = white under the noon sun; may exceed 1
+    float ior = 1.5f;  ///< index of refraction, ≥ 1; 0: a dielectric that reflects all its specular colour
+    float specular = 1.0f;            ///< strength of a dielectric's reflection, [0, 1]
+    glm::vec3 specular_colour{1.0f};  ///< of a dielectric's reflection at normal incidence, ≥ 0
+    float transmission = 0.0f;        ///< share of the light that is not reflected and goes through, [0, 1]
     float alpha_cutoff = 0.5f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     bool double_sided = false;
@@ -63,6 +67,19 @@ struct Material {
     TextureSlot normal_texture;
     TextureSlot occlusion_texture;  ///< R
     TextureSlot emissive_texture;
+    TextureSlot specular_texture;         ///< A
+    TextureSlot specular_colour_texture;  ///< RGB
+    TextureSlot transmission_texture;     ///< R
 };
+
+/// Calls `visit` with each texture slot of a material.
+template <class M, class Visit>
+void for_each_texture_slot(M& material, Visit&& visit) {
+    for (auto* slot :
+         {&material.base_colour_texture, &material.metalness_roughness_texture, &material.normal_texture,
+          &material.occlusion_texture, &material.emissive_texture, &material.specular_texture,
+          &material.specular_colour_texture, &material.transmission_texture})
+        visit(*slot);
+}
 
 }  // namespace rambla::assets

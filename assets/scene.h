@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "assets/clip.h"
 #include "assets/image.h"
 #include "assets/material.h"
 #include "assets/mesh.h"
+#include "assets/skeleton.h"
 
 namespace rambla::assets {
 
@@ -34,6 +36,7 @@ struct ModelPart {
 struct Model {
     std::string name;
     std::vector<ModelPart> parts;
+    std::vector<float> morph_weights;  ///< of its meshes' morph targets, where the node gives none of its own
 };
 
 enum class CameraKind : std::uint8_t { perspective, orthographic };
@@ -71,6 +74,12 @@ struct Node {
     std::uint32_t model = k_none;
     std::uint32_t camera = k_none;
     std::uint32_t light = k_none;
+    std::uint32_t skeleton = k_none;   ///< what moves the model's skinned meshes
+    std::vector<float> morph_weights;  ///< empty: those of the model
+    std::vector<std::uint32_t>
+        coarser;  ///< nodes that show the same with less detail, finest first (MSFT_lod)
+    std::vector<float>
+        screen_coverage;  ///< down to which this node and each of `coarser` serve, shares of the picture
 };
 
 /// Everything that one file, or one generator, holds. Indices refer to the vectors here; k_none is nothing.
@@ -84,6 +93,8 @@ struct Scene {
     std::vector<Camera> cameras;
     std::vector<Light> lights;
     std::vector<Node> nodes;
+    std::vector<Skeleton> skeletons;
+    std::vector<Clip> clips;
     std::vector<std::uint32_t>
         roots;  ///< nodes shown by default; others are prototypes to be spawned by name or index
 };
