@@ -36,7 +36,8 @@ struct ModelPart {
 struct Model {
     std::string name;
     std::vector<ModelPart> parts;
-    std::vector<float> morph_weights;  ///< of its meshes' morph targets, where the node gives none of its own
+    std::vector<float>
+        morph_weights{};  ///< of its meshes' morph targets, where the node gives none of its own
 };
 
 enum class CameraKind : std::uint8_t { perspective, orthographic };
@@ -74,12 +75,12 @@ struct Node {
     std::uint32_t model = k_none;
     std::uint32_t camera = k_none;
     std::uint32_t light = k_none;
-    std::uint32_t skeleton = k_none;   ///< what moves the model's skinned meshes
-    std::vector<float> morph_weights;  ///< empty: those of the model
+    std::uint32_t skeleton = k_none;     ///< what moves the model's skinned meshes
+    std::vector<float> morph_weights{};  ///< empty: those of the model
     std::vector<std::uint32_t>
-        coarser;  ///< nodes that show the same with less detail, finest first (MSFT_lod)
+        coarser{};  ///< nodes that show the same with less detail, finest first (MSFT_lod)
     std::vector<float>
-        screen_coverage;  ///< down to which this node and each of `coarser` serve, shares of the picture
+        screen_coverage{};  ///< down to which this node and each of `coarser` serve, shares of the picture
 };
 
 /// Everything that one file, or one generator, holds. Indices refer to the vectors here; k_none is nothing.
