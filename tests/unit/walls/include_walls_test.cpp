@@ -34,6 +34,7 @@ const std::map<std::string, std::vector<std::string>> k_library_homes{
     {"tiny_gltf.h", {"assets/import/", "assets/export/"}},
     {"OpenImageIO/", {"assets/import/", "assets/export/"}},
     {"meshoptimizer.h", {"assets/process/"}},
+    {"xxhash.h", {"assets/cache/"}},
     {"embree", {"assets/trace/"}},
     {"epoxy/", {"render/", "game/"}},
     {"GL/", {}},
