@@ -102,7 +102,7 @@ TEST(BuildFrame, EqualNeighboursBecomeOneInstancedDraw) {
     assets::Scene scene = box_scene();
     scene.materials.push_back({});
     scene.meshes.push_back(scene.meshes[0]);
-    scene.models = {{"a", {{0, 0}}}, {"b", {{0, 1}}}, {"c", {{1, 0}}}};
+    scene.models = {{"a", {{0, 0}}, {}}, {"b", {{0, 1}}, {}}, {"c", {{1, 0}}, {}}};
     for (std::uint32_t i = 0; i < 300; ++i) {
         assets::Transform local;
         local.translation_m = {0, 0, -5.0f - static_cast<float>((i * 37) % 300)};
@@ -165,7 +165,7 @@ TEST(BuildFrame, BlendedThingsComeBackToFront) {
 TEST(BuildFrame, SaysWhetherSomethingVisibleShines) {
     assets::Scene scene = box_scene();
     scene.materials.emplace_back().emissive = {0, 0, 2};
-    scene.models.push_back({"lamp", {{0, 1}}});
+    scene.models.push_back({"lamp", {{0, 1}}, {}});
     assets::Transform local;
     local.translation_m = {0, 0, -10};
     scene.nodes[add_node(scene, assets::k_none, local)].model = 0;
