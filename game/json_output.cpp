@@ -29,7 +29,7 @@ void prepare_json(const std::string& target) {
 
 void write_json(const std::string& target, const nlohmann::json& object) {
     if (target.empty()) return;
-    const std::string text = object.dump(2) + "\n";
+    const std::string text = object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     if (target == "-") {
         std::fputs(text.c_str(), stdout);
         std::fflush(stdout);

@@ -10,7 +10,8 @@ namespace rambla::game {
 void prepare_json(const std::string& target);
 
 /// Writes one JSON object where --json says: `-` is standard output, empty is nowhere, else a file.
-/// Numbers that JSON cannot hold (infinite, not a number) become null.
+/// Numbers that JSON cannot hold (infinite, not a number) become null, text that is no UTF-8 loses what is
+/// not.
 /// @throws assets::Error  if the file cannot be written
 void write_json(const std::string& target, const nlohmann::json& object);
 

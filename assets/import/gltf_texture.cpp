@@ -76,30 +76,16 @@ std::span<const std::byte> view_bytes(const Document& document, int index, const
     return std::as_bytes(std::span{data}).subspan(view.byteOffset, view.byteLength);
 }
 
-Image decode(const Document& document, std::size_t index) {
-    const tinygltf::Image& source = document.model.images[index];
-    const std::string element = element_name("images", index);
-    const std::string name = document.path.string() + ": " + element;
-    const std::uint32_t max_size = document.limits.image_size_px;
-    if (source.bufferView >= 0)
-        return decode_image(view_bytes(document, source.bufferView, element + ".bufferView"), name, max_size);
-    if (!source.image.empty()) return decode_image(std::as_bytes(std::span{source.image}), name, max_size);
-    if (source.uri.starts_with("data:"))
-        document.fail(element + ".uri", in_quotes(source.uri.substr(0, 40)), "base64 of a PNG or JPEG");
-    const std::filesystem::path file = resolve_uri(document.path, element + ".uri", source.uri);
-    const std::vector<unsigned char> bytes = read_file(file, document.limits.file_bytes);
-    return decode_image(std::as_bytes(std::span{bytes}), name + " " + in_quotes(source.uri), max_size);
-}
-
 /// Decodes `wanted` images of the document; those that fail become placeholders.
-std::vector<Image> decode_all(const Document& document, const std::vector<std::size_t>& wanted) {
+std::vector<Image> decode_all(const Document& document, const std::vector<std::uint32_t>& wanted) {
     std::vector<Image> images(wanted.size());
     std::vector<std::string> failures(wanted.size());
     tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
         const tinygltf::Image& source = document.model.images[wanted[i]];
         const std::string name = !source.name.empty() ? source.name : source.uri;
         try {
-            images[i] = decode(document, wanted[i]);
+            const EncodedImage encoded = encoded_image(document, wanted[i]);
+            images[i] = decode_image(encoded.bytes(), encoded.name(), document.limits.image_size_px);
             images[i].name = name;
         } catch (const std::exception& error) {
             images[i] = placeholder_image(name);
@@ -119,7 +105,7 @@ class TextureImport {
 public:
     TextureImport(const Document& document, Scene& scene) : document_{document}, scene_{scene} {}
 
-    void run() {
+    std::vector<std::uint32_t> run() {
         find_uses();
         for (std::size_t i = 0; i < document_.model.textures.size(); ++i)
             for (const ColourSpace space : {ColourSpace::srgb, ColourSpace::linear})
@@ -131,10 +117,14 @@ public:
                 if (slot.texture != k_none) slot.texture = textures_.at({slot.texture, use.colour_space});
             }
         scene_.images = decode_all(document_, image_sources_);
-        if (needs_placeholder_) scene_.images.push_back(placeholder_image("no image"));
         for (Texture& texture : scene_.textures)
             if (texture.image == k_placeholder)
                 texture.image = static_cast<std::uint32_t>(image_sources_.size());
+        if (needs_placeholder_) {
+            scene_.images.push_back(placeholder_image("no image"));
+            image_sources_.push_back(k_none);
+        }
+        return std::move(image_sources_);
     }
 
 private:
@@ -167,7 +157,7 @@ private:
         return static_cast<std::uint32_t>(scene_.textures.size() - 1);
     }
 
-    std::uint32_t image(std::size_t source) {
+    std::uint32_t image(std::uint32_t source) {
         const auto [place, is_new] =
             images_.try_emplace(source, static_cast<std::uint32_t>(image_sources_.size()));
         if (is_new) image_sources_.push_back(source);
@@ -177,16 +167,29 @@ private:
     const Document& document_;
     Scene& scene_;
     std::map<std::pair<std::size_t, ColourSpace>, std::uint32_t> textures_;  ///< by the document's index
-    std::map<std::size_t, std::uint32_t> images_;                            ///< by the document's index
-    std::vector<std::size_t> image_sources_;
+    std::map<std::uint32_t, std::uint32_t> images_;                          ///< by the document's index
+    std::vector<std::uint32_t> image_sources_;
     bool needs_placeholder_ = false;
     std::size_t last_without_image_ = k_none;
 };
 
 }  // namespace
 
-void import_textures(const Document& document, Scene& scene) {
-    TextureImport{document, scene}.run();
+EncodedImage encoded_image(const Document& document, std::size_t index) {
+    const tinygltf::Image& source = document.model.images[index];
+    const std::string element = element_name("images", index);
+    const std::string name = document.path.string() + ": " + element;
+    if (source.bufferView >= 0)
+        return {name, view_bytes(document, source.bufferView, element + ".bufferView")};
+    if (!source.image.empty()) return {name, std::as_bytes(std::span{source.image})};
+    if (source.uri.starts_with("data:"))
+        document.fail(element + ".uri", in_quotes(source.uri.substr(0, 40)), "base64 of a PNG or JPEG");
+    const std::filesystem::path file = resolve_uri(document.path, element + ".uri", source.uri);
+    return {name + " " + in_quotes(source.uri), read_file(file, document.limits.file_bytes)};
+}
+
+std::vector<std::uint32_t> import_textures(const Document& document, Scene& scene) {
+    return TextureImport{document, scene}.run();
 }
 
 }  // namespace rambla::assets::gltf

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -69,6 +70,43 @@ void spread_channels(std::vector<std::byte>& texels, std::size_t count, int chan
     }
 }
 
+/// A picture in memory, opened for reading.
+class OpenPicture {
+public:
+    /// @param bytes  must outlive the object  @throws Error
+    OpenPicture(std::span<const std::byte> bytes, const std::string& name) {
+        const std::optional<std::string> format = format_of(bytes, name);
+        if (!format)
+            throw Error{name, "", bytes.empty() ? "an empty picture" : "an unknown picture format",
+                        "PNG, JPEG, HDR, EXR, TIFF, TGA or DDS"};
+        format_ = *format;
+        input_ = OIIO::ImageInput::create(format_);
+        if (!input_) throw Error{name, "", reason(nullptr), ""};
+        if (format_ == "png") {
+            essential_ = essential_png(bytes, name);
+            bytes = essential_;
+        }
+        memory_.emplace(const_cast<std::byte*>(bytes.data()), bytes.size());
+        OIIO::ImageSpec request;
+        request.attribute("oiio:UnassociatedAlpha",
+                          1);  // colours stay as stored: glTF's alpha is not premultiplied
+        input_->threads(1);    // callers decode many pictures in parallel
+        if (!input_->set_ioproxy(&*memory_) || !input_->open(name, spec_, request))
+            throw Error{name, "", reason(input_.get()), ""};
+    }
+
+    [[nodiscard]] const std::string& format() const { return format_; }
+    [[nodiscard]] const OIIO::ImageSpec& spec() const { return spec_; }
+    [[nodiscard]] OIIO::ImageInput& input() { return *input_; }
+
+private:
+    std::string format_;
+    std::vector<std::byte> essential_;
+    std::optional<OIIO::Filesystem::IOMemReader> memory_;
+    OIIO::ImageSpec spec_;
+    std::unique_ptr<OIIO::ImageInput> input_;  ///< goes before the memory that it reads
+};
+
 void check_size(const OIIO::ImageSpec& spec, const std::string& name, std::uint32_t max_size_px) {
     const auto limit = static_cast<std::int64_t>(max_size_px);
     if (spec.width < 1 || spec.height < 1 || spec.width > limit || spec.height > limit || spec.depth > 1)
@@ -96,6 +134,14 @@ Image read_texels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const st
     return image;
 }
 
+Image texels_of(OpenPicture& picture, const std::string& name, std::uint32_t max_size_px) {
+    check_size(picture.spec(), name, max_size_px);
+    Image image = read_texels(picture.input(), picture.spec(), name);
+    picture.input().close();
+    image.name = name;
+    return image;
+}
+
 }  // namespace
 
 Image read_image(const std::filesystem::path& file, std::uint32_t max_size_px) {
@@ -106,31 +152,27 @@ Image read_image(const std::filesystem::path& file, std::uint32_t max_size_px) {
 }
 
 Image decode_image(std::span<const std::byte> bytes, const std::string& name, std::uint32_t max_size_px) {
-    const std::optional<std::string> format = format_of(bytes, name);
-    if (!format)
-        throw Error{name, "", bytes.empty() ? "an empty picture" : "an unknown picture format",
-                    "PNG, JPEG, HDR, EXR, TIFF, TGA or DDS"};
-    auto input = OIIO::ImageInput::create(*format);
-    if (!input) throw Error{name, "", reason(nullptr), ""};
+    OpenPicture picture{bytes, name};
+    return texels_of(picture, name, max_size_px);
+}
 
-    std::vector<std::byte> essential;
-    if (*format == "png") {
-        essential = essential_png(bytes, name);
-        bytes = essential;
-    }
-    OIIO::Filesystem::IOMemReader memory{const_cast<std::byte*>(bytes.data()), bytes.size()};
-    OIIO::ImageSpec request;
-    request.attribute("oiio:UnassociatedAlpha",
-                      1);  // colours stay as stored: glTF's alpha is not premultiplied
-    OIIO::ImageSpec spec;
-    input->threads(1);  // callers decode many pictures in parallel
-    if (!input->set_ioproxy(&memory) || !input->open(name, spec, request))
-        throw Error{name, "", reason(input.get()), ""};
-    check_size(spec, name, max_size_px);
-    Image image = read_texels(*input, spec, name);
-    input->close();
-    image.name = name;
-    return image;
+std::string picture_format(std::span<const std::byte> bytes, const std::string& name) {
+    return format_of(bytes, name).value_or("unknown");
+}
+
+ImageWithFacts read_image_with_facts(const std::filesystem::path& file, std::uint32_t max_size_px) {
+    const std::vector<unsigned char> bytes = gltf::read_file(file, k_largest_file);
+    OpenPicture picture{std::as_bytes(std::span{bytes}), file.string()};
+    const OIIO::ImageSpec& spec = picture.spec();
+    PictureFacts facts{.format = picture.format(),
+                       .width = static_cast<std::uint32_t>(spec.width),
+                       .height = static_cast<std::uint32_t>(spec.height),
+                       .channels = spec.channelnames,
+                       .sample = spec.format.c_str(),
+                       .file_bytes = bytes.size()};
+    Image image = texels_of(picture, file.string(), max_size_px);
+    image.name = file.filename().string();
+    return {std::move(image), std::move(facts)};
 }
 
 Image placeholder_image(const std::string& name) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "assets/image.h"
 
@@ -16,6 +17,29 @@ namespace rambla::assets {
 /// Decodes a picture that lies in memory; `name` stands for the file in errors.
 [[nodiscard]] Image decode_image(std::span<const std::byte> bytes, const std::string& name,
                                  std::uint32_t max_size_px = 16'384);
+
+/// The format that the content shows: "png", "jpeg", "hdr", "openexr", "tiff", "dds", for names of Targa
+/// files "targa", otherwise "unknown".
+[[nodiscard]] std::string picture_format(std::span<const std::byte> bytes, const std::string& name);
+
+/// What a picture file says of itself.
+struct PictureFacts {
+    std::string format;  ///< as picture_format
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::string> channels;  ///< their names, such as R, G, B, A
+    std::string sample;                 ///< type of one value: "uint8", "uint16", "half", "float" …
+    std::uint64_t file_bytes = 0;
+};
+
+struct ImageWithFacts {
+    Image image;
+    PictureFacts facts;
+};
+
+/// The image that read_image returns, and the file's own facts. @throws Error
+[[nodiscard]] ImageWithFacts read_image_with_facts(const std::filesystem::path& file,
+                                                   std::uint32_t max_size_px = 16'384);
 
 /// The checkerboard that stands in for a picture that cannot be read: magenta and black, impossible to miss.
 [[nodiscard]] Image placeholder_image(const std::string& name);

@@ -157,7 +157,7 @@ TEST_F(CommandLineProgram, HelpIsCompleteAndGoesToStandardOutput) {
     const Ended all = rambla({"--help"}, folder);
     EXPECT_EQ(all.exit_code, 0);
     EXPECT_EQ(all.err, "");
-    for (const char* const command : {"walk", "play", "view", "generate", "doctor"}) {
+    for (const char* const command : {"walk", "play", "view", "generate", "inspect", "doctor"}) {
         EXPECT_THAT(all.out, HasSubstr(command));
         const Ended one = rambla({command, "--help"}, folder);
         EXPECT_EQ(one.exit_code, 0) << command;
