@@ -1,56 +1,22 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "ecs/snapshot.h"
 #include "ecs/type_registry.h"
 #include "property/ecs/model.h"
 #include "property/ecs/queries.h"
-#include "unit/ecs/reflected_parts.h"
-
-namespace rambla::ecs {
-
-template <>
-struct reflection<test::Hidden> {
-    static constexpr auto value = describe<test::Hidden>("hidden");
-};
-template <>
-struct reflection<test::Selected> {
-    static constexpr auto value = describe<test::Selected>("selected");
-};
-template <>
-struct reflection<test::Light> {
-    static constexpr auto value = describe<test::Light>("light").field("lux", &test::Light::lux);
-};
-template <>
-struct reflection<test::Burning> {
-    static constexpr auto value = describe<test::Burning>("burning").field("heat", &test::Burning::heat);
-};
-
-}  // namespace rambla::ecs
+#include "property/ecs/reflected_parts.h"
 
 namespace rambla::ecs::property {
 
 /// A second world that follows a first one through snapshots and deltas of it.
 class Replica {
 public:
-    Replica() {
-        registry_.add<Health>();
-        registry_.add<Position>();
-        registry_.add<Byte>();
-        registry_.add<Frozen>();
-        registry_.add<Hidden>();
-        registry_.add<Parent>();
-        registry_.add<Light>();
-        registry_.add<Burning>();
-        registry_.add<Selected>();
-        registry_.add_transient<Anchored>("anchored");
-        registry_.add_transient<Owner>("owner");
-        registry_.add_transient<Line>("line");
-        registry_.add_transient<SparseAnchored>("sparse anchored");
-    }
-
     /// Brings it up to date, and compares it. Throws Disagreement.
     void follow(World& world, const Model& model, bool by_delta) {
         if (!restored_ || !by_delta) {
@@ -69,6 +35,19 @@ public:
             expect(!restored_->world->alive(entity), "a dead entity lives in a replica");
     }
 
+    /// A snapshot of either world, up to date, has the same bytes. Begins a new chain.
+    void compare_bytes(World& world) {
+        SnapshotWriter replicas{registry_};
+        const std::span<const std::byte> found = replicas.write(*restored_->world);
+        const std::span<const std::byte> expected = writer_.write(world);
+        expect(std::ranges::equal(found, expected), "a replica's snapshot has other bytes");
+        restored_ = read_snapshot(expected, registry_);
+    }
+    /// May come at any time, as it changes no value.
+    void compact() {
+        if (restored_) restored_->world->compact();
+    }
+
 private:
     static std::uint64_t order_of(const World& world) {
         std::uint64_t hash = 0xcbf29ce484222325u;
@@ -83,10 +62,11 @@ private:
         reset.operator()<Anchored>();
         reset.operator()<Owner>();
         reset.operator()<Line>();
+        reset.operator()<Ticket>();
         reset.operator()<SparseAnchored>();
     }
 
-    TypeRegistry registry_;
+    TypeRegistry registry_ = parts_registry();
     SnapshotWriter writer_{registry_};
     std::optional<RestoredWorld> restored_;
     Queries queries_;

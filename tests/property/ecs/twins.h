@@ -11,7 +11,9 @@
 
 #include "ecs/command_queue.h"
 #include "ecs/commands.h"
+#include "ecs/hierarchy.h"
 #include "ecs/world.h"
+#include "property/ecs/mirror.h"
 #include "property/ecs/model.h"
 #include "property/ecs/sequence.h"
 
@@ -24,14 +26,13 @@ class Replica;
 /// came before; every operation is possible at any time, so that any part of a sequence is a sequence.
 class Twins {
 public:
-    /// @param shares  whether parts that entities share are among those that come and go; snapshots cannot
-    /// hold
-    ///                them and are left out then
-    Twins(const WorldOptions& options, bool shares);
+    /// @param observed  whether observers keep a mirror of the world, which must then always be right
+    Twins(const WorldOptions& options, bool observed);
     ~Twins();
 
     /// Relative frequency of each kind of operation.
     [[nodiscard]] static std::span<const std::uint32_t> weights();
+    [[nodiscard]] static std::string_view name_of(const Operation& operation);
     /// Throws Disagreement.
     void play(const Operation& operation);
     /// Compares everything. Throws Disagreement.
@@ -39,8 +40,9 @@ public:
 
     /// What the operations do, in words, from now on.
     void trace_into(std::string& trace) { trace_ = &trace; }
-    /// Entities and their order in memory: the same for the same operations, whatever the options.
-    [[nodiscard]] std::uint64_t digest();
+    /// Entities and their order in memory, and what observers were told: the same for the same operations,
+    /// whatever the options.
+    [[nodiscard]] std::uint64_t digest() const;
     [[nodiscard]] const Model& model() const { return model_; }
 
 private:
@@ -49,20 +51,26 @@ private:
         Commands* commands = nullptr;
         std::vector<std::function<bool(const Commands&)>> effects;
         std::vector<Entity> placeholders;
+        bool divided = false;  ///< by commands for all entities
     };
     static constexpr std::size_t k_recordings = 3;
 
+    struct Kind;
+    /// Above this, waves of creation end waves of entities instead.
+    static constexpr std::size_t k_most_entities = 6000;
+
     // twins.cpp
-    template <class C>
-    [[nodiscard]] bool uses() const {
-        return shares_ || storage_of<C> != Storage::shared;
-    }
+    [[nodiscard]] static std::span<const Kind> kinds();
+    void check_mirror();
     void say(const std::string& text);
     std::optional<Entity> target(const Operation& operation) const;
     ModelEntity newborn() const;
     /// Gives the model's entity a part, or replaces the value it has.
-    void set(ModelEntity& entity, std::size_t part, std::uint64_t value) const;
-    void unset(ModelEntity& entity, std::size_t part) const;
+    void set(ModelEntity& entity, std::size_t part, std::uint64_t value);
+    /// The same for a value written through a reference, of which observers are not told.
+    void overwrite(ModelEntity& entity, std::size_t part, std::uint64_t value);
+    void unset(ModelEntity& entity, std::size_t part);
+    [[nodiscard]] std::uint64_t order_of_rows() const;
     /// Notes whether the changes made to it moved it, at the end of an operation.
     void settle(ModelEntity& entity) const;
 
@@ -81,16 +89,54 @@ private:
     template <class... Cs>
     void create_with(std::uint32_t n);
 
+    // twins_bulk.cpp
+    void create_many(const Operation& operation);
+    void get_many(const Operation& operation);
+    void compact(const Operation& operation);
+    template <class... Cs>
+    void create_copies(std::uint32_t count, std::uint32_t n);
+    template <class... Cs>
+    void create_filled(std::uint32_t count, const Operation& operation);
+    template <class C>
+    void get_many_of(const std::vector<Entity>& entities, const Operation& operation);
+
+    // twins_hierarchy.cpp
+    void hang(const Operation& operation);
+    void hang_chain(const Operation& operation);
+    void destroy_tree(const Operation& operation);
+    void end_orphans(const Operation& operation);
+    void check_children(const Operation& operation);
+    void check_hierarchy();
+    [[nodiscard]] std::vector<Entity> children_of(Entity parent) const;
+    /// What ends and is freed with the given entities, as Parent says. Returns how many end.
+    std::size_t end_below(std::vector<Entity> ending);
+    std::size_t end_model_orphans();
+
     // twins_commands.cpp
+    Recording& recording(const Operation& operation);
     void record(const Operation& operation);
     void apply(const Operation& operation);
     void apply_all();
+    void apply_alike(const Operation& operation);
+    void play_effects(std::span<const Recording> recordings, const Playback& playback);
+    void observe_more(const Operation& operation);
     void record_create(Recording& recording, const Operation& operation);
     template <class... Cs>
     void record_create_with(Recording& recording, std::uint32_t n);
     void record_add(Recording& recording, Entity entity, const Operation& operation);
     void record_remove(Recording& recording, Entity entity, const Operation& operation);
     void record_destroy(Recording& recording, Entity entity);
+
+    // twins_whole.cpp
+    void record_whole(const Operation& operation);
+    template <class C, class... Terms>
+    void record_add_to_all(Recording& recording, std::uint32_t n);
+    template <class... Terms>
+    void record_parent_for_all(Recording& recording, std::uint32_t n);
+    template <class C, class... Terms>
+    void record_remove_from_all(Recording& recording);
+    template <class... Terms>
+    void record_destroy_all(Recording& recording);
 
     // twins_queries.cpp
     void check_query(const Operation& operation);
@@ -100,10 +146,13 @@ private:
     void check_changed(const Operation& operation);
     void check_versions_of_rows(const Operation& operation);
     void change_while_iterating(const Operation& operation);
+    template <class C>
+    void check_single_write(Entity writing, std::uint32_t n);
 
-    bool shares_;
     World world_;
     Model model_;
+    std::unique_ptr<Mirror> mirror_;  ///< null: nobody observes
+    Hierarchy hierarchy_{world_};
     CommandQueue queue_;
     std::vector<Recording> recordings_;
     std::unique_ptr<Queries> queries_;

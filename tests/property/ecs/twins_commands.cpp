@@ -6,7 +6,7 @@
 
 namespace rambla::ecs::property {
 
-void Twins::record(const Operation& operation) {
+Twins::Recording& Twins::recording(const Operation& operation) {
     // Asked for in one order, with keys in another: playback goes by the keys, the places in recordings_.
     static constexpr std::uint32_t k_order_of_asking[k_recordings]{2, 0, 1};
     if (recordings_[0].commands == nullptr) {
@@ -14,8 +14,12 @@ void Twins::record(const Operation& operation) {
             recordings_[place].commands = &queue_.recording({place / 2, place % 2});
     }
     const std::uint32_t place = operation.a % k_recordings;
-    Recording& recording = recordings_[place];
     say("in recording " + std::to_string(place) + ":");
+    return recordings_[place];
+}
+
+void Twins::record(const Operation& operation) {
+    Recording& recording = this->recording(operation);
     const std::optional<Entity> existing = target(operation);
     const std::vector<Entity>& placeholders = recording.placeholders;
     if (!existing || operation.b % 8 == 0) return record_create(recording, operation);
@@ -51,9 +55,9 @@ void Twins::record_create(Recording& recording, const Operation& operation) {
         case 0:
             return record_create_with<>(recording, operation.c);
         case 1:
-            return record_create_with<Owner, SparseAnchored, Light>(recording, operation.c);
+            return record_create_with<Owner, SparseAnchored, Light, Material>(recording, operation.c);
         case 2:
-            return record_create_with<Parent, Position, Burning>(recording, operation.c);
+            return record_create_with<Parent, Position, Burning, Score>(recording, operation.c);
         default:
             return record_create_with<Health, Anchored>(recording, operation.c);
     }
@@ -73,17 +77,16 @@ void Twins::record_add(Recording& recording, Entity entity, const Operation& ope
     if (operation.c % k_part_count == part_number<Parent>() && !recording.placeholders.empty()) {
         const Entity to = recording.placeholders[n % recording.placeholders.size()];
         say("  add Parent of " + to_string(to) + " to " + to_string(entity));
-        recording.commands->add(entity, Parent{to});
-        recording.effects.emplace_back([this, entity, to](const Commands& commands) {
+        recording.commands->add(entity, Parent{to, policy_of(n)});
+        recording.effects.emplace_back([this, entity, to, n](const Commands& commands) {
             ModelEntity* state = model_.find(real(commands, entity));
             if (state == nullptr) return false;
-            set(*state, part_number<Parent>(), key_of(commands.created(to)));
+            set(*state, part_number<Parent>(), parent_key({commands.created(to), policy_of(n)}));
             return true;
         });
         return;
     }
     with_part(n % k_part_count, [&]<class C>() {
-        if (!uses<C>()) return;
         say("  add<" + std::string{type_name<C>()} + "> to " + to_string(entity));
         recording.commands->add(entity, make_part<C>(n));
         recording.effects.emplace_back([this, entity, n](const Commands& commands) {
@@ -97,7 +100,6 @@ void Twins::record_add(Recording& recording, Entity entity, const Operation& ope
 
 void Twins::record_remove(Recording& recording, Entity entity, const Operation& operation) {
     with_part(operation.c % k_part_count, [&]<class C>() {
-        if (!uses<C>()) return;
         say("  remove<" + std::string{type_name<C>()} + "> from " + to_string(entity));
         recording.commands->remove<C>(entity);
         recording.effects.emplace_back([this, entity](const Commands& commands) {
@@ -127,15 +129,60 @@ void Twins::apply(const Operation& operation) {
         recordings_.assign(k_recordings, {});
         return;
     }
+    if (mirror_ != nullptr)
+        mirror_->watch_order(world_, std::ranges::none_of(recordings_, &Recording::divided));
     apply_all();
 }
 
 void Twins::apply_all() {
     say("apply");
     const Playback playback = queue_.apply(world_);
+    play_effects(std::exchange(recordings_, std::vector<Recording>(k_recordings)), playback);
+}
+
+/// Many commands of one kind about the entities of one archetype, in any order; sometimes with one among
+/// them that is about another entity, one that has ended, or one that had its turn.
+void Twins::apply_alike(const Operation& operation) {
+    const std::optional<Entity> example = target(operation);
+    if (!example) return;
+    std::vector<Entity> entities;
+    for (const Entity entity : model_.alive()) {
+        if (model_.at(entity).home == model_.at(*example).home) entities.push_back(entity);
+    }
+    // Those that a random number of steps leads to, each once.
+    const std::size_t wanted = std::min<std::size_t>(entities.size(), 10 + operation.b % 1500);
+    for (std::size_t i = 0; i < wanted; ++i) {
+        const std::size_t from = i + (operation.c / 64 + i * 7919) % (entities.size() - i);
+        std::swap(entities[i], entities[operation.b % 3 == 0 ? i : from]);
+    }
+    entities.resize(wanted);
+    Entity& odd = entities[operation.b / 4 % wanted];
+    if (operation.b % 16 == 1) odd = model_.alive()[operation.c % model_.alive().size()];
+    if (operation.b % 16 == 2 && !model_.dead().empty()) odd = model_.dead().back();
+    Commands commands;
+    Recording recording;
+    recording.commands = &commands;
+    const bool removes = model_.at(*example).has(operation.c % k_part_count);
+    say((removes ? "remove from " : "add to ") + std::to_string(wanted) + " alike:");
+    const auto part = static_cast<std::uint32_t>(operation.c % k_part_count);
+    for (std::uint32_t i = 0; i < wanted; ++i) {
+        // Other values of the same part, in the high bits where most parts have theirs.
+        const std::uint32_t n = operation.c + (i << 18u);
+        const Operation one{.c = n - n % static_cast<std::uint32_t>(k_part_count) + part};
+        if (removes) {
+            record_remove(recording, entities[i], one);
+        } else {
+            record_add(recording, entities[i], one);
+        }
+    }
+    if (mirror_ != nullptr) mirror_->watch_order(world_, true);
+    play_effects({&recording, 1}, commands.apply(world_));
+}
+
+void Twins::play_effects(std::span<const Recording> recordings, const Playback& playback) {
     std::size_t applied = 0;
     std::size_t dropped = 0;
-    for (Recording& recording : std::exchange(recordings_, std::vector<Recording>(k_recordings))) {
+    for (const Recording& recording : recordings) {
         for (const auto& effect : recording.effects)
             ++(effect(*recording.commands) ? applied : dropped);
     }

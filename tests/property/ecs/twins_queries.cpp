@@ -30,31 +30,6 @@ void check_written(const World& world, Model& model) {
     }
 }
 
-/// After one write to one entity, exactly its chunk shows a change, and in that part only.
-template <class C>
-void check_single_write(World& world, Model& model, Entity writing) {
-    const std::uint32_t seen = world.advance_version();
-    if (C* part = world.try_get_mut<C>(writing)) {
-        *part = make_part<C>(seen);
-        ModelEntity& state = model.at(writing);
-        state.parts[part_number<C>()] = value_of<C>(seen);
-        state.written[part_number<C>()] = world.version();
-    }
-    Query<Entity, Optional<const Health>, Optional<const Position>, Optional<const Anchored>> query;
-    for (const auto& chunk : query.chunks(static_cast<const World&>(world))) {
-        const auto changed = [&]<class D>() {
-            bool holds_it = false;
-            for (const Entity handle : chunk.template get<0>())
-                holds_it = holds_it || handle == writing;
-            const bool written = std::is_same_v<C, D> && holds_it && model.at(writing).has(part_number<D>());
-            expect(chunk.template changed_since<D>(seen) == written, "a version changes without a write");
-        };
-        changed.template operator()<Health>();
-        changed.template operator()<Position>();
-        changed.template operator()<Anchored>();
-    }
-}
-
 /// Changed hands out all that changed; of a sparse component, nothing else.
 template <class C>
 void check_changed_since(const World& world, Model& model, std::uint32_t seen) {
@@ -77,6 +52,21 @@ void check_changed_since(const World& world, Model& model, std::uint32_t seen) {
     }
 }
 
+/// Rows that do not count as changed are those of entities that were not.
+void check_changed_rows(const World& world, Model& model, std::uint32_t seen) {
+    Query<Entity, const Score> query;
+    for (const auto& chunk : query.chunks(world)) {
+        const std::uint64_t changed = chunk.changed_rows<Score>(seen);
+        const std::span<const Entity> entities = chunk.get<0>();
+        for (std::size_t row = 0; row < entities.size(); ++row) {
+            const ModelEntity& entity = model.at(entities[row]);
+            const bool told = (changed >> row / ChunkChanges::k_rows_per_bit & 1u) != 0;
+            expect(told || !(later(entity.written[part_number<Score>()], seen) || later(entity.moved, seen)),
+                   "a changed row is overlooked");
+        }
+    }
+}
+
 }  // namespace
 
 void Twins::check_query(const Operation& operation) {
@@ -90,11 +80,45 @@ void Twins::write_through_query(const Operation& operation) {
     query.each(world_, [&](Entity entity, Health& health, Position* position) {
         ModelEntity& state = model_.at(entity);
         health = make_part<Health>(++n);
-        set(state, part_number<Health>(), value_of<Health>(n));
+        overwrite(state, part_number<Health>(), value_of<Health>(n));
         if (position == nullptr) return;
         *position = make_part<Position>(n);
-        set(state, part_number<Position>(), value_of<Position>(n));
+        overwrite(state, part_number<Position>(), value_of<Position>(n));
     });
+}
+
+/// After one write to one entity, exactly its chunk shows a change, and in that part only.
+template <class C>
+void Twins::check_single_write(Entity writing, std::uint32_t n) {
+    const std::uint32_t seen = world_.advance_version();
+    if (C* part = world_.try_get_mut<C>(writing)) {
+        *part = make_part<C>(n);
+        overwrite(model_.at(writing), part_number<C>(), value_of<C>(n));
+    }
+    Query<Entity, Optional<const Health>, Optional<const Position>, Optional<const Anchored>,
+          Optional<const Score>>
+        query;
+    for (const auto& chunk : query.chunks(static_cast<const World&>(world_))) {
+        const auto changed = [&]<class D>() {
+            bool holds_it = false;
+            for (const Entity handle : chunk.template get<0>())
+                holds_it = holds_it || handle == writing;
+            const bool written = std::is_same_v<C, D> && holds_it && model_.at(writing).has(part_number<D>());
+            expect(chunk.template changed_since<D>(seen) == written, "a version changes without a write");
+        };
+        changed.template operator()<Health>();
+        changed.template operator()<Position>();
+        changed.template operator()<Anchored>();
+        changed.template operator()<Score>();
+        if constexpr (std::is_same_v<C, Score>) {
+            if (!chunk.template changed_since<Score>(seen)) continue;
+            const auto row = static_cast<std::uint32_t>(std::ranges::find(chunk.template get<0>(), writing) -
+                                                        chunk.template get<0>().begin());
+            expect(chunk.template changed_rows<Score>(seen) == std::uint64_t{1}
+                                                                   << row / ChunkChanges::k_rows_per_bit,
+                   "other rows count as written than the one");
+        }
+    }
 }
 
 void Twins::check_versions(const Operation& operation) {
@@ -103,24 +127,30 @@ void Twins::check_versions(const Operation& operation) {
     check_written<Position>(world_, model_);
     check_written<Anchored>(world_, model_);
     check_written<Owner>(world_, model_);
+    check_written<Score>(world_, model_);
+    check_written<Ticket>(world_, model_);
     const std::optional<Entity> entity = target(operation);
     if (!entity) return;
-    check_single_write<Health>(world_, model_, *entity);
-    check_single_write<Position>(world_, model_, *entity);
-    check_single_write<Anchored>(world_, model_, *entity);
+    check_single_write<Health>(*entity, operation.c);
+    check_single_write<Position>(*entity, operation.c);
+    check_single_write<Anchored>(*entity, operation.c);
+    check_single_write<Score>(*entity, operation.c);
 }
 
 void Twins::check_replica(const Operation& operation) {
-    if (shares_) return;
     const bool by_delta = operation.a % 4 != 0;
     say(by_delta ? "follow by delta" : "follow by snapshot");
+    if (operation.b % 4 == 0) replica_->compact();
     replica_->follow(world_, model_, by_delta);
+    if (operation.c % 4 == 0) replica_->compare_bytes(world_);
 }
 
 void Twins::check_changed(const Operation& operation) {
     const std::uint32_t seen = world_.version() - operation.a % 40;
     check_changed_since<Health>(world_, model_, seen);
     check_changed_since<Line>(world_, model_, seen);
+    check_changed_since<Score>(world_, model_, seen);
+    check_changed_rows(world_, model_, seen);
     check_changed_since<Burning>(world_, model_, seen);
     check_changed_since<SparseAnchored>(world_, model_, seen);
 }

@@ -7,8 +7,7 @@
 namespace rambla::ecs::property {
 namespace {
 
-/// Above this, waves of creation end waves of entities instead.
-constexpr std::size_t k_most_entities = 6000;
+constexpr std::uint32_t k_bundles = 10;
 
 }  // namespace
 
@@ -28,7 +27,7 @@ void Twins::create_with(std::uint32_t n) {
 }
 
 void Twins::create_bundle(std::uint32_t bundle, std::uint32_t n) {
-    switch (bundle % 8) {
+    switch (bundle % k_bundles) {
         case 0:
             return create_with<>(n);
         case 1:
@@ -43,6 +42,10 @@ void Twins::create_bundle(std::uint32_t bundle, std::uint32_t n) {
             return create_with<Line, Byte, Parent, Burning>(n);
         case 6:
             return create_with<Light, Health, Selected>(n);
+        case 7:
+            return create_with<Material, Position, Score, Quad>(n);
+        case 8:
+            return create_with<Tint, Ticket, Health, Light>(n);
         default:
             return create_with<Health, Anchored>(n);
     }
@@ -51,13 +54,14 @@ void Twins::create_bundle(std::uint32_t bundle, std::uint32_t n) {
 void Twins::create(const Operation& operation) {
     if (model_.alive().size() > k_most_entities) return;
     create_bundle(operation.a, operation.c);
-    say("create bundle " + std::to_string(operation.a % 8) + " -> " + to_string(model_.alive().back()));
+    say("create bundle " + std::to_string(operation.a % k_bundles) + " -> " +
+        to_string(model_.alive().back()));
 }
 
 void Twins::create_wave(const Operation& operation) {
     if (model_.alive().size() > k_most_entities) return destroy_kind(operation);
     const std::uint32_t count = 100 + operation.b % 1500;
-    say("create " + std::to_string(count) + " of bundle " + std::to_string(operation.a % 8));
+    say("create " + std::to_string(count) + " of bundle " + std::to_string(operation.a % k_bundles));
     for (std::uint32_t i = 0; i < count; ++i)
         create_bundle(operation.a, operation.c + i);
 }
@@ -86,7 +90,6 @@ void Twins::add(const Operation& operation) {
     const std::optional<Entity> entity = target(operation);
     if (!entity) return;
     with_part(operation.c % k_part_count, [&]<class C>() {
-        if (!uses<C>()) return;
         say("add<" + std::string{type_name<C>()} + "> to " + to_string(*entity));
         world_.add(*entity, make_part<C>(operation.c));
         set(model_.at(*entity), part_number<C>(), value_of<C>(operation.c));
@@ -123,7 +126,7 @@ void Twins::write(const Operation& operation) {
             if (part == nullptr) return;
             say("write " + std::string{type_name<C>()} + " of " + to_string(*entity));
             *part = make_part<C>(operation.c);
-            set(state, part_number<C>(), value_of<C>(operation.c));
+            overwrite(state, part_number<C>(), value_of<C>(operation.c));
         }
     });
 }
