@@ -15,7 +15,7 @@
 namespace rambla::ecs::property {
 namespace {
 
-constexpr std::size_t k_runs = 6;
+constexpr std::size_t k_runs = 5;
 
 /// One system of a random schedule.
 struct ChosenSystem {
@@ -159,8 +159,8 @@ std::string names_of(const ChosenSystems& systems) {
 }
 
 /// Number of the first run whose state is another one; k_runs if there is none.
-std::size_t first_difference(const ChosenSystems& systems, std::uint32_t seed, std::size_t threads) {
-    const std::vector<State> expected = naive_states(systems, seed);
+std::size_t first_difference(const ChosenSystems& systems, std::uint32_t seed, std::size_t threads,
+                             const std::vector<State>& expected) {
     World world;
     populate(world, seed);
     Schedule schedule{{.threads = threads}};
@@ -183,7 +183,9 @@ ChosenSystems shortened(ChosenSystems systems, std::uint32_t seed, std::size_t t
             for (std::size_t& j : system.after)
                 j -= j > i ? 1 : 0;
         }
-        if (!fewer.empty() && first_difference(fewer, seed, threads) != k_runs) systems = std::move(fewer);
+        if (fewer.empty()) continue;
+        if (first_difference(fewer, seed, threads, naive_states(fewer, seed)) != k_runs)
+            systems = std::move(fewer);
     }
     return systems;
 }
@@ -192,13 +194,14 @@ ChosenSystems shortened(ChosenSystems systems, std::uint32_t seed, std::size_t t
 class RandomSchedules : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(RandomSchedules, LeaveTheSameBytesAsSystemsOneByOne) {
-    constexpr std::uint32_t k_schedules = 10;
+    constexpr std::uint32_t k_schedules = 8;
     for (std::uint32_t i = 0; i < k_schedules; ++i) {
         const std::uint32_t seed = GetParam() * k_schedules + i;
         std::mt19937 random{seed};
         const ChosenSystems systems = choose_systems(random);
+        const std::vector<State> expected = naive_states(systems, seed);
         for (const std::size_t threads : {1u, 2u, 8u}) {
-            const std::size_t different = first_difference(systems, seed, threads);
+            const std::size_t different = first_difference(systems, seed, threads, expected);
             ASSERT_EQ(different, k_runs)
                 << "the run that differs first, with " << threads << " threads and seed " << seed
                 << ", as with these systems:" << names_of(shortened(systems, seed, threads));
