@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "assets/generate/places.h"
+#include "assets/transmission.h"
 #include "game/camera_path.h"
 #include "systems/position.h"
 #include "systems/spawn.h"
@@ -26,6 +27,7 @@ Stage make_stage(assets::Scene scene, const assets::Environment& light,
     Stage stage;
     stage.world = std::make_unique<ecs::World>();
     stage.world->set_resource(systems::Sunlight{light});
+    assets::blend_transmission(scene);
     systems::spawn(*stage.world, scene, origin);
     stage.scene = std::make_shared<const assets::Scene>(std::move(scene));
     stage.origin = origin;

@@ -24,7 +24,7 @@ struct Stage {
 [[nodiscard]] Stage make_stage(const std::string& scene, std::uint64_t seed,
                                const systems::WorldPosition& origin);
 
-/// Spawns what a file holds, under the given light.
+/// Spawns what a file holds, under the given light; glass is shown by blending.
 [[nodiscard]] Stage make_stage(assets::Scene scene, const assets::Environment& light,
                                const systems::WorldPosition& origin);
 

@@ -1,9 +1,11 @@
 #include "assets/import/gltf.h"
 
+#include "assets/import/gltf_clip.h"
 #include "assets/import/gltf_convert.h"
+#include "assets/import/gltf_instances.h"
 #include "assets/import/gltf_material.h"
-#include "assets/import/gltf_mesh.h"
 #include "assets/import/gltf_scene.h"
+#include "assets/import/gltf_skin.h"
 #include "assets/import/gltf_texture.h"
 
 namespace rambla::assets {
@@ -17,11 +19,19 @@ Scene import_gltf(const std::filesystem::path& file, const ImportLimits& limits)
 
 namespace gltf {
 
-std::vector<std::uint32_t> convert(Document& document, Scene& scene) {
+std::vector<MissingColumns> convert_data(Document& document, Scene& scene) {
     scene.name = document.path.stem().string();
     import_materials(document, scene);
-    import_meshes(document, scene);
+    std::vector<MissingColumns> missing = import_meshes(document, scene);
     import_nodes(document, scene);
+    import_skins(document, scene);
+    import_clips(document, scene);
+    import_instances(document, scene);
+    return missing;
+}
+
+std::vector<std::uint32_t> convert(Document& document, Scene& scene) {
+    complete_meshes(scene, convert_data(document, scene));
     return import_textures(document, scene);
 }
 

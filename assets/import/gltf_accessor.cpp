@@ -51,6 +51,33 @@ float to_float(T value, bool normalised) {
     return std::max(static_cast<float>(value) / k_max, -1.0f);
 }
 
+/// Calls `use` with a function that reads component c of an element: one loop for each type, instead of one
+/// question for each number.
+template <class Use>
+void with_component(int type, bool normalised, const Use& use) {
+    const auto of = [&]<class T>(T) {
+        use([normalised](const unsigned char* element, int c) {
+            return to_float(load<T>(element + sizeof(T) * static_cast<std::size_t>(c)), normalised);
+        });
+    };
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return of(std::int8_t{});
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return of(std::uint8_t{});
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return of(std::int16_t{});
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return of(std::uint16_t{});
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return of(std::uint32_t{});
+        default:
+            return use([](const unsigned char* element, int c) {
+                return load<float>(element + sizeof(float) * static_cast<std::size_t>(c));
+            });
+    }
+}
+
 bool is_index_type(int type) {
     return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
@@ -75,10 +102,10 @@ AccessorReader::AccessorReader(const Document& document, int accessor, std::stri
         document.fail(where + ".componentType", std::to_string(component_type_),
                       "5120, 5121, 5122, 5123, 5125 or 5126");
     components_ = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(source.type));
-    if (source.type < TINYGLTF_TYPE_VEC2 || source.type > TINYGLTF_TYPE_VEC4)
-        if (source.type != TINYGLTF_TYPE_SCALAR)
-            document.fail(element_, "accessor " + std::to_string(index) + " of matrices",
-                          "scalars or vectors");
+    // Their columns are padded in ways of their own, and nothing uses them.
+    if (source.type == TINYGLTF_TYPE_MAT2 || source.type == TINYGLTF_TYPE_MAT3)
+        document.fail(element_, "accessor " + std::to_string(index) + " of small matrices",
+                      "scalars, vectors or matrices of 4 x 4");
     if (count_ > document.limits.vertices)
         document.fail(where + ".count", std::to_string(count_),
                       "at most " + std::to_string(document.limits.vertices));
@@ -111,8 +138,8 @@ AccessorReader::AccessorReader(const Document& document, int accessor, std::stri
                                    sparse_count_, element_bytes, false, sparse + ".values");
 }
 
-bool AccessorReader::is_integer() const {
-    return component_type_ != TINYGLTF_COMPONENT_TYPE_FLOAT;
+bool AccessorReader::is_float() const {
+    return component_type_ == TINYGLTF_COMPONENT_TYPE_FLOAT;
 }
 
 AccessorReader::Bytes AccessorReader::bytes_of_view(int view_index, std::int64_t offset, std::uint64_t count,
@@ -160,66 +187,58 @@ std::vector<std::uint32_t> AccessorReader::sparse_indices() const {
     return indices;
 }
 
-float AccessorReader::component(const unsigned char* bytes, bool normalised) const {
-    switch (component_type_) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE:
-            return to_float(load<std::int8_t>(bytes), normalised);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return to_float(load<std::uint8_t>(bytes), normalised);
-        case TINYGLTF_COMPONENT_TYPE_SHORT:
-            return to_float(load<std::int16_t>(bytes), normalised);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return to_float(load<std::uint16_t>(bytes), normalised);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-            return to_float(load<std::uint32_t>(bytes), normalised);
-        default:
-            return load<float>(bytes);
-    }
-}
-
-template <int N>
-glm::vec<N, float> AccessorReader::element(const unsigned char* bytes, float missing, bool normalised) const {
-    glm::vec<N, float> value{missing};
-    const int present = std::min(N, components_);
-    if (component_type_ == TINYGLTF_COMPONENT_TYPE_FLOAT)
-        std::memcpy(&value[0], bytes, sizeof(float) * static_cast<std::size_t>(present));
-    else
-        for (int c = 0; c < present; ++c)
-            value[c] = component(bytes + component_bytes_ * static_cast<std::uint64_t>(c), normalised);
-    return value;
-}
-
 template <int N>
 std::vector<glm::vec<N, float>> AccessorReader::read(std::span<const std::uint32_t> gather, float missing,
                                                      bool always_normalise) const {
-    const bool normalised = normalised_ || always_normalise;
+    using Vector = glm::vec<N, float>;
     const std::uint64_t size = gather.empty() ? count_ : gather.size();
-    std::vector<glm::vec<N, float>> values(size, glm::vec<N, float>{0.0f});
-    if (base_.first != nullptr)
-        for (std::uint64_t i = 0; i < size; ++i) {
-            const std::uint64_t at = gather.empty() ? i : gather[i];
-            values[i] = element<N>(base_.first + at * base_.stride, missing, normalised);
-        }
-    if (sparse_count_ == 0) return values;
-
     const std::vector<std::uint32_t> replaced = sparse_indices();
-    for (std::uint64_t i = 0; i < sparse_count_; ++i) {
-        const auto value = element<N>(sparse_values_.first + i * sparse_values_.stride, missing, normalised);
-        if (gather.empty()) {
-            values[replaced[i]] = value;
-        } else {
+    std::vector<Vector> values(size, Vector{0.0f});
+    if (size == 0) return values;
+    const int present = std::min(N, components_);
+    with_component(component_type_, normalised_ || always_normalise, [&](auto read_component) {
+        const auto element = [&](const unsigned char* bytes) {
+            Vector value{missing};
+            for (int c = 0; c < present; ++c)
+                value[c] = read_component(bytes, c);
+            return value;
+        };
+        if (base_.first != nullptr)
+            for (std::uint64_t i = 0; i < size; ++i)
+                values[i] = element(base_.first + (gather.empty() ? i : gather[i]) * base_.stride);
+        for (std::uint64_t i = 0; i < sparse_count_; ++i) {
             // A gather is sorted and holds each element once.
             const auto found = std::lower_bound(gather.begin(), gather.end(), replaced[i]);
-            if (found != gather.end() && *found == replaced[i])
-                values[static_cast<std::size_t>(found - gather.begin())] = value;
+            const bool kept = gather.empty() || (found != gather.end() && *found == replaced[i]);
+            const auto at = gather.empty() ? replaced[i] : static_cast<std::uint64_t>(found - gather.begin());
+            if (kept) values[at] = element(sparse_values_.first + i * sparse_values_.stride);
         }
-    }
+    });
     return values;
 }
 
 template std::vector<glm::vec2> AccessorReader::read<2>(std::span<const std::uint32_t>, float, bool) const;
 template std::vector<glm::vec3> AccessorReader::read<3>(std::span<const std::uint32_t>, float, bool) const;
 template std::vector<glm::vec4> AccessorReader::read<4>(std::span<const std::uint32_t>, float, bool) const;
+
+std::vector<float> AccessorReader::read_floats(std::uint64_t elements, bool always_normalise) const {
+    const std::uint64_t size = std::min(elements, count_);
+    const std::vector<std::uint32_t> replaced = sparse_indices();
+    const auto width = static_cast<std::uint64_t>(components_);
+    std::vector<float> values(size * width, 0.0f);
+    with_component(component_type_, normalised_ || always_normalise, [&](auto read_component) {
+        const auto store = [&](std::uint64_t at, const unsigned char* bytes) {
+            for (int c = 0; c < components_; ++c)
+                values[at * width + static_cast<std::uint64_t>(c)] = read_component(bytes, c);
+        };
+        if (base_.first != nullptr)
+            for (std::uint64_t i = 0; i < size; ++i)
+                store(i, base_.first + i * base_.stride);
+        for (std::uint64_t i = 0; i < sparse_count_; ++i)
+            if (replaced[i] < size) store(replaced[i], sparse_values_.first + i * sparse_values_.stride);
+    });
+    return values;
+}
 
 std::vector<std::uint32_t> AccessorReader::read_indices() const {
     if (components_ != 1 || !is_index_type(component_type_))

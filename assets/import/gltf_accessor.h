@@ -20,8 +20,10 @@ public:
     AccessorReader(const Document& document, int accessor, std::string element);
 
     [[nodiscard]] std::uint64_t count() const { return count_; }
-    [[nodiscard]] int components() const { return components_; }
-    [[nodiscard]] bool is_integer() const;
+    [[nodiscard]] int components() const { return components_; }  ///< 16 for matrices of 4 × 4
+    [[nodiscard]] bool is_float() const;
+    /// Elements that stand apart: reading costs at least their time, however few are gathered.
+    [[nodiscard]] std::uint64_t sparse_count() const { return sparse_count_; }
 
     /// Integers become what `normalised` of the accessor says, or [0, 1] and [−1, 1] when `always_normalise`
     /// is set. Components that the accessor lacks are `missing`; surplus ones are dropped.
@@ -30,6 +32,9 @@ public:
     [[nodiscard]] std::vector<glm::vec<N, float>> read(std::span<const std::uint32_t> gather,
                                                        float missing = 0.0f,
                                                        bool always_normalise = false) const;
+
+    /// The first `elements`, at most count(), with all their components one after the other.
+    [[nodiscard]] std::vector<float> read_floats(std::uint64_t elements, bool always_normalise = false) const;
 
     /// Scalars of an unsigned type, all in order. @throws Error  for other types
     [[nodiscard]] std::vector<std::uint32_t> read_indices() const;
@@ -43,11 +48,6 @@ private:
                                       std::uint64_t element_bytes, bool may_interleave,
                                       const std::string& where) const;
     [[nodiscard]] std::vector<std::uint32_t> sparse_indices() const;
-    [[nodiscard]] float component(const unsigned char* bytes, bool normalised) const;
-    template <int N>
-    [[nodiscard]] glm::vec<N, float> element(const unsigned char* bytes, float missing,
-                                             bool normalised) const;
-
     const Document& document_;
     std::string element_;
     std::uint64_t count_ = 0;

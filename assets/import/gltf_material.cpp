@@ -9,8 +9,19 @@ namespace rambla::assets::gltf {
 
 namespace {
 
-/// Of the light that a transmissive surface lets through, the part that replaces the surface itself.
-constexpr float k_transmission_to_alpha = 0.9f;
+/// A texture as an extension's object names it, in the form in which tinygltf gives the others.
+tinygltf::TextureInfo texture_info(const tinygltf::Value& extension, const std::string& name) {
+    tinygltf::TextureInfo info;
+    if (!extension.Has(name)) return info;
+    const tinygltf::Value& source = extension.Get(name);
+    info.index = integer_of(source, "index", -1);
+    info.texCoord = integer_of(source, "texCoord", 0);
+    if (!source.Has("extensions")) return info;
+    const tinygltf::Value& extensions = source.Get("extensions");
+    if (extensions.Has("KHR_texture_transform"))
+        info.extensions["KHR_texture_transform"] = extensions.Get("KHR_texture_transform");
+    return info;
+}
 
 class MaterialImport {
 public:
@@ -23,14 +34,14 @@ public:
         read_surface();
         read_alpha();
         read_emission();
-        material_.unlit = source_.extensions.contains("KHR_materials_unlit");
-        read_transmission();
+        material_.unlit = extension("KHR_materials_unlit") != nullptr;
+        read_dielectric();
         return std::move(material_);
     }
 
 private:
     template <class Info>
-    TextureSlot slot(const Info& info, const char* name) const {
+    TextureSlot slot(const Info& info, const std::string& name) const {
         TextureSlot out;
         if (info.index < 0) return out;
         const std::string element = element_ + "." + name;
@@ -43,7 +54,7 @@ private:
             out.offset = vector_of<2>(transform, "offset", out.offset);
             out.scale = vector_of<2>(transform, "scale", out.scale);
             out.rotation_rad = number_of(transform, "rotation", 0.0f);
-            uv_set = static_cast<int>(number_of(transform, "texCoord", static_cast<float>(uv_set)));
+            uv_set = integer_of(transform, "texCoord", uv_set);
         }
         if (uv_set != 0 && uv_set != 1) {
             document_.warn(element,
@@ -89,18 +100,36 @@ private:
         if (source_.emissiveFactor.size() == 3)
             for (int c = 0; c < 3; ++c)
                 material_.emissive[c] = unit_interval(source_.emissiveFactor[static_cast<std::size_t>(c)]);
-        if (const auto found = source_.extensions.find("KHR_materials_emissive_strength");
-            found != source_.extensions.end())
-            material_.emissive *= std::max(number_of(found->second, "emissiveStrength", 1.0f), 0.0f);
+        if (const tinygltf::Value* const strength = extension("KHR_materials_emissive_strength"))
+            material_.emissive *= std::max(number_of(*strength, "emissiveStrength", 1.0f), 0.0f);
     }
 
-    void read_transmission() {
-        const auto found = source_.extensions.find("KHR_materials_transmission");
-        if (found == source_.extensions.end()) return;
-        const float transmission = unit_interval(number_of(found->second, "transmissionFactor", 0.0f));
-        if (transmission <= 0.0f) return;
-        material_.alpha_mode = AlphaMode::blend;
-        material_.base_colour.w *= 1.0f - k_transmission_to_alpha * transmission;
+    const tinygltf::Value* extension(const std::string& name) const {
+        const auto found = source_.extensions.find(name);
+        return found == source_.extensions.end() ? nullptr : &found->second;
+    }
+
+    void read_dielectric() {
+        if (const tinygltf::Value* const ior = extension("KHR_materials_ior")) {
+            const float index = number_of(*ior, "ior", material_.ior);
+            material_.ior = index == 0.0f ? 0.0f : std::max(index, 1.0f);
+        }
+        if (const tinygltf::Value* const specular = extension("KHR_materials_specular")) {
+            material_.specular = unit_interval(number_of(*specular, "specularFactor", 1.0f));
+            material_.specular_colour =
+                glm::max(vector_of<3>(*specular, "specularColorFactor", glm::vec3{1.0f}), glm::vec3{0.0f});
+            const std::string element = "extensions.KHR_materials_specular.";
+            material_.specular_texture =
+                slot(texture_info(*specular, "specularTexture"), element + "specularTexture");
+            material_.specular_colour_texture =
+                slot(texture_info(*specular, "specularColorTexture"), element + "specularColorTexture");
+        }
+        if (const tinygltf::Value* const transmission = extension("KHR_materials_transmission")) {
+            material_.transmission = unit_interval(number_of(*transmission, "transmissionFactor", 0.0f));
+            material_.transmission_texture =
+                slot(texture_info(*transmission, "transmissionTexture"),
+                     "extensions.KHR_materials_transmission.transmissionTexture");
+        }
     }
 
     const Document& document_;

@@ -1,46 +1,55 @@
 #include "assets/import/gltf_mesh.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 
 #include "assets/import/gltf_accessor.h"
+#include "assets/import/gltf_influence.h"
+#include "assets/import/gltf_morph.h"
 #include "assets/import/gltf_topology.h"
+#include "assets/import/gltf_vertices.h"
 #include "assets/process/tangents.h"
 
 namespace rambla::assets::gltf {
 
 namespace {
 
-constexpr std::array<const char*, 6> k_attributes{"POSITION",   "NORMAL",     "TANGENT",
-                                                  "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"};
-
 /// What makes two primitives the same geometry: accessors, topology, and the UV set that tangents are made
 /// for.
-using GeometryKey = std::array<int, k_attributes.size() + 3>;
-
-constexpr int k_no_tangents = -1;
-
-int attribute(const tinygltf::Primitive& primitive, const char* name) {
-    const auto found = primitive.attributes.find(name);
-    return found == primitive.attributes.end() ? -1 : found->second;
-}
+using GeometryKey = std::vector<int>;
 
 /// Tangents are worth their memory only where a normal texture needs them, their time only where the file has
 /// none.
 int tangent_uv_set(const tinygltf::Primitive& primitive, const Scene& scene) {
-    if (attribute(primitive, "TANGENT") >= 0 && attribute(primitive, "NORMAL") >= 0) return k_no_tangents;
+    if (attribute(primitive.attributes, "TANGENT") >= 0 && attribute(primitive.attributes, "NORMAL") >= 0)
+        return k_no_tangents;
     if (primitive.material < 0 || static_cast<std::size_t>(primitive.material) >= scene.materials.size())
         return k_no_tangents;
     const TextureSlot& slot = scene.materials[static_cast<std::size_t>(primitive.material)].normal_texture;
     return slot.texture == k_none ? k_no_tangents : static_cast<int>(slot.uv_set);
 }
 
+/// Only what is read counts: exporters repeat geometry with attributes of their own.
+void append_known(GeometryKey& key, const Attributes& attributes) {
+    for (const char* name : {"POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"})
+        key.push_back(attribute(attributes, name));
+    for (int set = 0;; ++set) {
+        const int joints = attribute(attributes, "JOINTS_" + std::to_string(set));
+        if (joints < 0) break;
+        key.insert(key.end(), {joints, attribute(attributes, "WEIGHTS_" + std::to_string(set))});
+    }
+    key.push_back(-1);
+}
+
 GeometryKey key_of(const tinygltf::Primitive& primitive, int tangents_for) {
     GeometryKey key{primitive.mode, primitive.indices, tangents_for};
-    for (std::size_t i = 0; i < k_attributes.size(); ++i)
-        key[i + 3] = attribute(primitive, k_attributes[i]);
+    append_known(key, primitive.attributes);
+    for (const Attributes& target : primitive.targets)
+        append_known(key, target);
     return key;
 }
 
@@ -48,41 +57,40 @@ GeometryKey key_of(const tinygltf::Primitive& primitive, int tangents_for) {
 class PrimitiveImport {
 public:
     PrimitiveImport(Document& document, const tinygltf::Primitive& primitive, std::string element)
-        : document_{document}, primitive_{primitive}, element_{std::move(element)} {}
+        : document_{document},
+          primitive_{primitive},
+          element_{std::move(element)},
+          vertex_count_{AccessorReader{document_, attribute(primitive_.attributes, "POSITION"),
+                                       element_ + ".attributes.POSITION"}
+                            .count()},
+          reader_{document_, element_, vertex_count_} {}
 
-    Mesh run(int tangents_for) {
-        const AccessorReader positions = reader("POSITION", 3, 3);
-        vertex_count_ = positions.count();
+    Mesh run() {
         read_topology();
         keep_referenced_vertices();
-        mesh_.positions = positions.read<3>(kept_);
-        make_finite(mesh_.positions, "POSITION");
-        read_texture_coordinates();
-        read_colours();
+        mesh_.positions = read<3>("POSITION");
+        if (has("TEXCOORD_0")) mesh_.uv0 = read<2>("TEXCOORD_0", k_texture_coordinates);
+        if (has("TEXCOORD_1")) mesh_.uv1 = read<2>("TEXCOORD_1", k_texture_coordinates);
+        if (has("COLOR_0")) mesh_.colours = read<4>("COLOR_0", k_colours);
         read_normals_and_tangents();
-        if (mesh_.topology == Topology::triangles && mesh_.normals.empty()) compute_flat_normals(mesh_);
-        if (tangents_for != k_no_tangents && mesh_.topology == Topology::triangles && mesh_.tangents.empty())
-            compute_tangents(mesh_, static_cast<std::uint32_t>(tangents_for));
-        for (const glm::vec3& position : mesh_.positions)
-            mesh_.bounds.expand(position);
+        if (is_skinned(primitive_.attributes)) read_influences(reader_, primitive_.attributes, mesh_);
+        read_morphs(reader_, primitive_, mesh_);
         return std::move(mesh_);
     }
 
 private:
-    std::string attribute_name(const char* name) const { return element_ + ".attributes." + name; }
+    static constexpr AttributeForm k_texture_coordinates{.least_components = 2, .most_components = 2};
+    static constexpr AttributeForm k_colours{
+        .least_components = 3, .most_components = 4, .missing = 1.0f, .always_normalise = true};
+    static constexpr AttributeForm k_tangents{.least_components = 4, .most_components = 4};
 
-    AccessorReader reader(const char* name, int least_components, int most_components) {
-        AccessorReader found{document_, attribute(primitive_, name), attribute_name(name)};
-        if (found.components() < least_components || found.components() > most_components)
-            document_.fail(attribute_name(name), std::to_string(found.components()) + " components",
-                           std::to_string(most_components));
-        if (vertex_count_ > 0 && found.count() != vertex_count_)
-            document_.fail(attribute_name(name), std::to_string(found.count()) + " elements",
-                           std::to_string(vertex_count_) + ", as POSITION has");
-        return found;
+    bool has(const char* name) const { return attribute(primitive_.attributes, name) >= 0; }
+
+    template <int N>
+    std::vector<glm::vec<N, float>> read(const char* name, const AttributeForm& form = {}) {
+        return reader_.read<N>(attribute(primitive_.attributes, name), std::string{"attributes."} + name,
+                               form);
     }
-
-    bool has(const char* name) const { return attribute(primitive_, name) >= 0; }
 
     void read_topology() {
         std::vector<std::uint32_t> indices;
@@ -91,11 +99,7 @@ private:
             const AccessorReader source{document_, primitive_.indices, element};
             document_.spend(element, source.count());
             indices = source.read_indices();
-            for (std::size_t i = 0; i < indices.size(); ++i)
-                if (indices[i] >= vertex_count_)
-                    document_.fail(element,
-                                   "index " + std::to_string(indices[i]) + " at " + std::to_string(i),
-                                   "below " + std::to_string(vertex_count_) + ", the number of vertices");
+            check_range(indices, element);
         } else {
             document_.spend(element_, vertex_count_);
             indices.resize(vertex_count_);
@@ -108,6 +112,16 @@ private:
         if (is_ragged(mode, given)) document_.warn(element_, "incomplete last element was dropped");
     }
 
+    void check_range(const std::vector<std::uint32_t>& indices, const std::string& element) const {
+        std::uint32_t largest = 0;
+        for (const std::uint32_t index : indices)
+            largest = std::max(largest, index);
+        if (indices.empty() || largest < vertex_count_) return;
+        const auto place = std::find(indices.begin(), indices.end(), largest) - indices.begin();
+        document_.fail(element, "index " + std::to_string(largest) + " at " + std::to_string(place),
+                       "below " + std::to_string(vertex_count_) + ", the number of vertices");
+    }
+
     /// Primitives often share one large vertex buffer; each then takes only what it shows.
     void keep_referenced_vertices() {
         const bool most_are_used = mesh_.indices.size() >= vertex_count_ / 2;
@@ -115,56 +129,24 @@ private:
             document_.spend(element_, vertex_count_);
             return;
         }
-        kept_ = mesh_.indices;
-        std::sort(kept_.begin(), kept_.end());
-        kept_.erase(std::unique(kept_.begin(), kept_.end()), kept_.end());
-        document_.spend(element_, kept_.size());
+        std::vector<std::uint32_t> kept = mesh_.indices;
+        std::sort(kept.begin(), kept.end());
+        kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+        document_.spend(element_, kept.size());
         for (std::uint32_t& index : mesh_.indices)
-            index = static_cast<std::uint32_t>(std::lower_bound(kept_.begin(), kept_.end(), index) -
-                                               kept_.begin());
-    }
-
-    template <class Vector>
-    void make_finite(std::vector<Vector>& values, const char* name) {
-        std::size_t bad = 0;
-        for (Vector& value : values)
-            for (int c = 0; c < Vector::length(); ++c)
-                if (!std::isfinite(value[c])) {
-                    value[c] = 0.0f;
-                    ++bad;
-                }
-        if (bad > 0)
-            document_.warn(attribute_name(name),
-                           std::to_string(bad) + " values were not finite and became 0");
-    }
-
-    void read_texture_coordinates() {
-        if (has("TEXCOORD_0")) {
-            mesh_.uv0 = reader("TEXCOORD_0", 2, 2).read<2>(kept_);
-            make_finite(mesh_.uv0, "TEXCOORD_0");
-        }
-        if (has("TEXCOORD_1")) {
-            mesh_.uv1 = reader("TEXCOORD_1", 2, 2).read<2>(kept_);
-            make_finite(mesh_.uv1, "TEXCOORD_1");
-        }
-    }
-
-    void read_colours() {
-        if (!has("COLOR_0")) return;
-        mesh_.colours = reader("COLOR_0", 3, 4).read<4>(kept_, 1.0f, true);
-        make_finite(mesh_.colours, "COLOR_0");
+            index =
+                static_cast<std::uint32_t>(std::lower_bound(kept.begin(), kept.end(), index) - kept.begin());
+        reader_.keep(std::move(kept));
     }
 
     /// glTF 2.0, section 3.7.2.1: without normals, given tangents are ignored.
     void read_normals_and_tangents() {
         if (mesh_.topology != Topology::triangles || !has("NORMAL")) return;
-        mesh_.normals = reader("NORMAL", 3, 3).read<3>(kept_);
-        make_finite(mesh_.normals, "NORMAL");
+        mesh_.normals = read<3>("NORMAL");
         for (glm::vec3& normal : mesh_.normals)
             normal = unit_or(normal, {0.0f, 1.0f, 0.0f});
         if (!has("TANGENT")) return;
-        mesh_.tangents = reader("TANGENT", 4, 4).read<4>(kept_);
-        make_finite(mesh_.tangents, "TANGENT");
+        mesh_.tangents = read<4>("TANGENT", k_tangents);
         for (std::size_t i = 0; i < mesh_.tangents.size(); ++i) {
             glm::vec4& tangent = mesh_.tangents[i];
             const glm::vec3 direction = unit_or(glm::vec3{tangent}, any_perpendicular(mesh_.normals[i]));
@@ -185,40 +167,82 @@ private:
     const tinygltf::Primitive& primitive_;
     std::string element_;
     std::uint64_t vertex_count_ = 0;
-    std::vector<std::uint32_t> kept_;  ///< vertices to read, ascending; empty means all
+    VertexReader reader_;
     Mesh mesh_;
 };
 
+class MeshesImport {
+public:
+    MeshesImport(Document& document, Scene& scene) : document_{document}, scene_{scene} {}
+
+    std::vector<MissingColumns> run() {
+        for (std::size_t m = 0; m < document_.model.meshes.size(); ++m)
+            scene_.models.push_back(model(m));
+        return std::move(missing_);
+    }
+
+private:
+    Model model(std::size_t index) {
+        const tinygltf::Mesh& source = document_.model.meshes[index];
+        const std::string element = element_name("meshes", index);
+        const std::size_t targets = morph_count(document_, source, element);
+        Model made{.name = source.name,
+                   .parts = {},
+                   .morph_weights = morph_weights(document_, source.weights, targets, element + ".weights")};
+        for (std::size_t p = 0; p < source.primitives.size(); ++p)
+            add_part(made, source, p, element + element_name(".primitives", p));
+        return made;
+    }
+
+    void add_part(Model& made, const tinygltf::Mesh& source, std::size_t index, const std::string& element) {
+        const tinygltf::Primitive& primitive = source.primitives[index];
+        if (attribute(primitive.attributes, "POSITION") < 0) {
+            document_.warn(element, "has no POSITION and is not shown");
+            return;
+        }
+        std::uint32_t material = k_none;
+        if (primitive.material >= 0)
+            material = document_.checked(primitive.material, scene_.materials.size(), element + ".material",
+                                         "material");
+        const int tangents_for = tangent_uv_set(primitive, scene_);
+        const auto [place, is_new] = known_.try_emplace(key_of(primitive, tangents_for),
+                                                        static_cast<std::uint32_t>(scene_.meshes.size()));
+        if (is_new) {
+            Mesh mesh = PrimitiveImport{document_, primitive, element}.run();
+            mesh.name = source.name;
+            for (std::size_t t = 0; t < mesh.morphs.size(); ++t)
+                mesh.morphs[t].name = morph_name(source, t);
+            scene_.meshes.push_back(std::move(mesh));
+            missing_.push_back({tangents_for});
+        }
+        if (!scene_.meshes[place->second].indices.empty()) made.parts.push_back({place->second, material});
+    }
+
+    Document& document_;
+    Scene& scene_;
+    std::map<GeometryKey, std::uint32_t> known_;
+    std::vector<MissingColumns> missing_;
+};
+
+void complete(Mesh& mesh, const MissingColumns& missing) {
+    if (mesh.topology == Topology::triangles) {
+        if (mesh.normals.empty()) compute_flat_normals(mesh);
+        if (missing.tangents_for_uv_set != k_no_tangents && mesh.tangents.empty())
+            compute_tangents(mesh, static_cast<std::uint32_t>(missing.tangents_for_uv_set));
+    }
+    for (const glm::vec3& position : mesh.positions)
+        mesh.bounds.expand(position);
+}
+
 }  // namespace
 
-void import_meshes(Document& document, Scene& scene) {
-    std::map<GeometryKey, std::uint32_t> known;
-    const std::vector<tinygltf::Mesh>& meshes = document.model.meshes;
-    for (std::size_t m = 0; m < meshes.size(); ++m) {
-        Model model{.name = meshes[m].name, .parts = {}};
-        for (std::size_t p = 0; p < meshes[m].primitives.size(); ++p) {
-            const tinygltf::Primitive& primitive = meshes[m].primitives[p];
-            const std::string element = element_name("meshes", m, element_name(".primitives", p));
-            if (attribute(primitive, "POSITION") < 0) {
-                document.warn(element, "has no POSITION and is not shown");
-                continue;
-            }
-            std::uint32_t material = k_none;
-            if (primitive.material >= 0)
-                material = document.checked(primitive.material, scene.materials.size(), element + ".material",
-                                            "material");
-            const int tangents_for = tangent_uv_set(primitive, scene);
-            const auto [place, is_new] = known.try_emplace(key_of(primitive, tangents_for),
-                                                           static_cast<std::uint32_t>(scene.meshes.size()));
-            if (is_new) {
-                scene.meshes.push_back(PrimitiveImport{document, primitive, element}.run(tangents_for));
-                scene.meshes.back().name = meshes[m].name;
-            }
-            if (!scene.meshes[place->second].indices.empty())
-                model.parts.push_back({place->second, material});
-        }
-        scene.models.push_back(std::move(model));
-    }
+std::vector<MissingColumns> import_meshes(Document& document, Scene& scene) {
+    return MeshesImport{document, scene}.run();
+}
+
+void complete_meshes(Scene& scene, std::span<const MissingColumns> missing) {
+    tbb::parallel_for(std::size_t{0}, missing.size(),
+                      [&](std::size_t i) { complete(scene.meshes[i], missing[i]); });
 }
 
 }  // namespace rambla::assets::gltf

@@ -17,9 +17,16 @@ namespace {
 /// Deeper than any real document, shallow enough for recursive readers.
 constexpr std::size_t k_deepest = 256;
 
-constexpr std::array<std::string_view, 6> k_supported{
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_transmission",
-    "KHR_materials_unlit", "KHR_mesh_quantization",           "KHR_texture_transform"};
+constexpr std::array<std::string_view, 10> k_supported{"EXT_mesh_gpu_instancing",
+                                                       "KHR_lights_punctual",
+                                                       "KHR_materials_emissive_strength",
+                                                       "KHR_materials_ior",
+                                                       "KHR_materials_specular",
+                                                       "KHR_materials_transmission",
+                                                       "KHR_materials_unlit",
+                                                       "KHR_mesh_quantization",
+                                                       "KHR_texture_transform",
+                                                       "MSFT_lod"};
 
 constexpr double k_exact_integers = 9007199254740992.0;  // 2⁵³
 

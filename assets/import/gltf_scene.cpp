@@ -5,6 +5,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "assets/import/gltf_files.h"
+#include "assets/import/gltf_lod.h"
+#include "assets/import/gltf_morph.h"
 #include "assets/import/gltf_transform.h"
 #include "assets/import/gltf_value.h"
 
@@ -67,8 +69,7 @@ Light import_light(const Document& document, const tinygltf::Light& source, cons
 std::uint32_t light_of(const Document& document, const tinygltf::Node& node, const std::string& element) {
     const auto found = node.extensions.find("KHR_lights_punctual");
     if (found == node.extensions.end() || !found->second.Has("light")) return k_none;
-    const tinygltf::Value& index = found->second.Get("light");
-    return document.checked(index.IsInt() ? index.GetNumberAsInt() : -1, document.model.lights.size(),
+    return document.checked(integer_of(found->second, "light", -1), document.model.lights.size(),
                             element + ".extensions.KHR_lights_punctual.light", "light");
 }
 
@@ -83,6 +84,10 @@ Node import_node(const Document& document, const Scene& scene, std::size_t index
     if (source.camera >= 0)
         node.camera = document.checked(source.camera, scene.cameras.size(), element + ".camera", "camera");
     node.light = light_of(document, source, element);
+    if (!source.weights.empty()) {
+        const std::size_t targets = node.model == k_none ? 0 : scene.models[node.model].morph_weights.size();
+        node.morph_weights = morph_weights(document, source.weights, targets, element + ".weights");
+    }
     for (std::size_t c = 0; c < source.children.size(); ++c)
         node.children.push_back(document.checked(source.children[c], document.model.nodes.size(),
                                                  element + element_name(".children", c), "node"));
@@ -102,31 +107,29 @@ void link_parents(const Document& document, Scene& scene) {
         }
 }
 
-/// With one parent each, nodes are on a loop or below one exactly if no root reaches them.
-void refuse_loops(const Document& document, const Scene& scene) {
+/// With one parent each, or one node that they are a level of, nodes are on a loop or below one exactly if no
+/// other node reaches them.
+void refuse_loops(const Document& document, const Scene& scene, const std::vector<bool>& is_level) {
     std::vector<std::uint32_t> open;
     std::vector<bool> reached(scene.nodes.size(), false);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-        if (scene.nodes[i].parent == k_none) open.push_back(static_cast<std::uint32_t>(i));
+        if (scene.nodes[i].parent == k_none && !is_level[i]) open.push_back(static_cast<std::uint32_t>(i));
     while (!open.empty()) {
-        const std::uint32_t node = open.back();
+        const Node& node = scene.nodes[open.back()];
+        reached[open.back()] = true;
         open.pop_back();
-        reached[node] = true;
-        open.insert(open.end(), scene.nodes[node].children.begin(), scene.nodes[node].children.end());
+        open.insert(open.end(), node.children.begin(), node.children.end());
+        open.insert(open.end(), node.coarser.begin(), node.coarser.end());
     }
     const auto lost = std::find(reached.begin(), reached.end(), false);
     if (lost != reached.end())
         document.fail(element_name("nodes", static_cast<std::size_t>(lost - reached.begin())),
-                      "a loop of children", "a tree");
+                      "a loop of children or levels of detail", "a tree");
 }
 
-void find_roots(const Document& document, Scene& scene) {
+void read_roots(const Document& document, Scene& scene) {
     const tinygltf::Model& model = document.model;
-    if (model.scenes.empty()) {
-        for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-            if (scene.nodes[i].parent == k_none) scene.roots.push_back(static_cast<std::uint32_t>(i));
-        return;
-    }
+    if (model.scenes.empty()) return;
     const std::uint32_t chosen =
         document.checked(std::max(model.defaultScene, 0), model.scenes.size(), "scene", "scene");
     const tinygltf::Scene& source = model.scenes[chosen];
@@ -142,6 +145,13 @@ void find_roots(const Document& document, Scene& scene) {
     }
 }
 
+/// Everything that stands on its own, in a document without scenes.
+void find_roots(Scene& scene, const std::vector<bool>& is_level) {
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+        if (scene.nodes[i].parent == k_none && !is_level[i])
+            scene.roots.push_back(static_cast<std::uint32_t>(i));
+}
+
 }  // namespace
 
 void import_nodes(const Document& document, Scene& scene) {
@@ -155,8 +165,10 @@ void import_nodes(const Document& document, Scene& scene) {
     for (std::size_t i = 0; i < model.nodes.size(); ++i)
         scene.nodes.push_back(import_node(document, scene, i));
     link_parents(document, scene);
-    refuse_loops(document, scene);
-    find_roots(document, scene);
+    read_roots(document, scene);
+    const std::vector<bool> is_level = import_levels(document, scene);
+    refuse_loops(document, scene, is_level);
+    if (model.scenes.empty()) find_roots(scene, is_level);
 }
 
 }  // namespace rambla::assets::gltf

@@ -85,6 +85,15 @@ Decomposition decompose(const glm::mat4& matrix) {
     return out;
 }
 
+std::optional<glm::quat> unit_rotation(glm::vec4 xyzw) {
+    const glm::quat rotation{xyzw.w, xyzw.x, xyzw.y, xyzw.z};
+    const float length_squared = glm::dot(rotation, rotation);
+    constexpr float k_storage_error = 1e-6f;
+    if (!(length_squared > 1e-12f) || !std::isfinite(length_squared)) return std::nullopt;
+    if (std::abs(length_squared - 1.0f) < k_storage_error) return rotation;
+    return rotation / std::sqrt(length_squared);
+}
+
 Transform import_transform(const Document& document, const tinygltf::Node& node, const std::string& element) {
     const std::vector<float> m = numbers(document, node.matrix, 16, element + ".matrix");
     if (!m.empty()) return from_matrix(document, m, element);
@@ -96,15 +105,9 @@ Transform import_transform(const Document& document, const tinygltf::Node& node,
     if (!t.empty()) out.translation_m = {t[0], t[1], t[2]};
     if (!s.empty()) out.scale = {s[0], s[1], s[2]};
     if (!r.empty()) {
-        const glm::quat rotation{r[3], r[0], r[1], r[2]};
-        const float length_squared = glm::dot(rotation, rotation);
-        constexpr float k_storage_error = 1e-6f;
-        if (!(length_squared > 1e-12f) || !std::isfinite(length_squared))
-            document.warn(element + ".rotation", "is no rotation and is left out");
-        else if (std::abs(length_squared - 1.0f) < k_storage_error)
-            out.rotation = rotation;
-        else
-            out.rotation = rotation / std::sqrt(length_squared);
+        const std::optional<glm::quat> rotation = unit_rotation({r[0], r[1], r[2], r[3]});
+        if (!rotation) document.warn(element + ".rotation", "is no rotation and is left out");
+        out.rotation = rotation.value_or(out.rotation);
     }
     return out;
 }

@@ -25,6 +25,12 @@ namespace rambla::assets::gltf {
     return finite_float(object.Get(name).GetNumberAsDouble());
 }
 
+/// A whole number of an extension's object, or `fallback` where there is none.
+[[nodiscard]] inline int integer_of(const tinygltf::Value& object, const std::string& name, int fallback) {
+    if (!object.Has(name) || !object.Get(name).IsInt()) return fallback;
+    return object.Get(name).GetNumberAsInt();
+}
+
 /// A vector of an extension's object, or `fallback` where there is none of that length.
 template <int N>
 [[nodiscard]] glm::vec<N, float> vector_of(const tinygltf::Value& object, const std::string& name,

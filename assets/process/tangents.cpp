@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "assets/assert.h"
+#include "assets/mesh_columns.h"
 
 namespace rambla::assets {
 
@@ -28,19 +30,30 @@ std::vector<T> gathered(const std::vector<T>& column, const std::vector<std::uin
     return out;
 }
 
-template <class T>
-void repeat(std::vector<T>& column, std::uint32_t vertex) {
-    if (!column.empty()) column.push_back(T{column[vertex]});
+/// Gives every index a vertex of its own.
+void split_all(Mesh& mesh) {
+    for_each_column(mesh, [&](auto& column) { column = gathered(column, mesh.indices); });
+    std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
 }
 
 /// Appends a copy of a vertex and returns its index.
 std::uint32_t duplicate(Mesh& mesh, std::uint32_t vertex) {
-    repeat(mesh.positions, vertex);
-    repeat(mesh.normals, vertex);
-    repeat(mesh.uv0, vertex);
-    repeat(mesh.uv1, vertex);
-    repeat(mesh.colours, vertex);
+    for_each_column(mesh, [&](auto& column) {
+        if (column.empty()) return;
+        const auto value = column[vertex];
+        column.push_back(value);
+    });
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+}
+
+/// Normals of triangles whose vertices are not shared, one for each vertex.
+std::vector<glm::vec3> flat_normals(const std::vector<glm::vec3>& positions) {
+    std::vector<glm::vec3> normals(positions.size());
+    for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
+        const glm::vec3* const p = &positions[i];
+        std::fill_n(&normals[i], 3, direction_or(glm::cross(p[1] - p[0], p[2] - p[0]), k_up));
+    }
+    return normals;
 }
 
 /// How a triangle's texture coordinates run over its surface.
@@ -122,24 +135,29 @@ void compute_normals(Mesh& mesh) {
 
 void compute_flat_normals(Mesh& mesh) {
     RAMBLA_ASSERT(mesh.topology == Topology::triangles, "only triangles have normals");
-    mesh.positions = gathered(mesh.positions, mesh.indices);
-    mesh.uv0 = gathered(mesh.uv0, mesh.indices);
-    mesh.uv1 = gathered(mesh.uv1, mesh.indices);
-    mesh.colours = gathered(mesh.colours, mesh.indices);
+    mesh.normals.clear();
     mesh.tangents.clear();
-    mesh.normals.resize(mesh.positions.size());
-    for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3) {
-        const glm::vec3* const p = &mesh.positions[i];
-        std::fill_n(&mesh.normals[i], 3, direction_or(glm::cross(p[1] - p[0], p[2] - p[0]), k_up));
+    split_all(mesh);
+    mesh.normals = flat_normals(mesh.positions);
+    for (MorphTarget& target : mesh.morphs) {
+        target.tangents.clear();
+        target.normals.clear();
+        if (target.positions.empty()) continue;
+        std::vector<glm::vec3> moved = mesh.positions;
+        for (std::size_t i = 0; i < moved.size(); ++i)
+            moved[i] += target.positions[i];
+        target.normals = flat_normals(moved);
+        for (std::size_t i = 0; i < moved.size(); ++i)
+            target.normals[i] -= mesh.normals[i];
     }
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
-        mesh.indices[i] = static_cast<std::uint32_t>(i);
 }
 
 void compute_tangents(Mesh& mesh, std::uint32_t uv_set) {
     RAMBLA_ASSERT(mesh.topology == Topology::triangles, "only triangles have tangents");
     RAMBLA_ASSERT(mesh.normals.size() == mesh.positions.size(), "tangents are perpendicular to normals");
     mesh.tangents.clear();
+    for (MorphTarget& target : mesh.morphs)
+        target.tangents.clear();
     const std::vector<glm::vec2>& uv = uv_set == 0 ? mesh.uv0 : mesh.uv1;
     std::vector<Chart> charts(mesh.indices.size() / 3);
     if (!uv.empty())

@@ -11,7 +11,8 @@ namespace rambla::assets {
 void compute_normals(Mesh& mesh);
 
 /// Splits every triangle's vertices and gives each triangle its own normal, as glTF asks for where normals
-/// are missing. Degenerate triangles get +Y. Indices afterwards count up from 0.
+/// are missing. Degenerate triangles get +Y. Indices afterwards count up from 0. Morph targets get what
+/// their positions at weight 1 do to these normals.
 void compute_flat_normals(Mesh& mesh);
 
 /// Fills `tangents` from texture coordinates by Gram–Schmidt; where they are degenerate or absent, any unit

@@ -185,8 +185,9 @@ TEST(GltfImport, MaterialExtensionsAndLightsAreRead) {
     EXPECT_EQ(scene.lights[1].inner_cone_rad, 0.25f);
     EXPECT_EQ(scene.lights[1].range_m, 9.0f);
     EXPECT_EQ(scene.materials[0].emissive, glm::vec3(8, 4, 0));
-    EXPECT_EQ(scene.materials[1].alpha_mode, AlphaMode::blend);
-    EXPECT_FLOAT_EQ(scene.materials[1].base_colour.w, 0.55f);  // 1 − 0.9 · 0.5
+    EXPECT_EQ(scene.materials[1].transmission, 0.5f);
+    EXPECT_EQ(scene.materials[1].alpha_mode, AlphaMode::opaque);
+    EXPECT_EQ(scene.materials[1].base_colour.w, 1.0f);
     EXPECT_FLOAT_EQ(scene.materials[1].roughness, 0.05f);
     EXPECT_TRUE(scene.materials[2].unlit && scene.materials[2].double_sided);
     EXPECT_EQ(scene.materials[2].alpha_mode, AlphaMode::mask);

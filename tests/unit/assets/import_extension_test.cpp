@@ -1,0 +1,199 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assets/transmission.h"
+#include "draft.h"
+
+namespace rambla::assets::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string k_mesh = R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}])";
+
+Draft corners() {
+    Draft draft;
+    draft.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+    return draft;
+}
+
+std::string instanced(const std::string& attributes, const std::string& mesh = R"("mesh":0,)") {
+    return k_mesh + R"(,"nodes":[{)" + mesh + R"("name":"tree","extensions":{"EXT_mesh_gpu_instancing":{)" +
+           attributes + R"(}}},{"name":"other"}],"scenes":[{"nodes":[0]}])";
+}
+
+TEST(GltfInstancing, EachInstanceIsAChildBehindAllOtherNodes) {
+    Draft draft = corners();
+    draft.add<float>({1, 2, 3, 4, 5, 6}, "VEC3");
+    draft.add<std::int8_t>({0, 0, 0, 127, 127, 0, 0, 0}, "VEC4", R"(,"normalized":true)");
+    draft.add<float>({1, 1, 1, 2, 2, 2}, "VEC3");
+    const LogCapture log;
+    const Scene scene = draft.load(
+        instanced(R"("attributes":{"TRANSLATION":1,"ROTATION":2,"SCALE":3,"_ID":99})") +
+        R"(,"extensionsUsed":["EXT_mesh_gpu_instancing"],"extensionsRequired":["EXT_mesh_gpu_instancing"])");
+    ASSERT_EQ(scene.nodes.size(), 4u);
+    EXPECT_EQ(scene.nodes[0].model, k_none);
+    EXPECT_THAT(scene.nodes[0].children, ElementsAre(2, 3));
+    EXPECT_EQ(scene.nodes[1].name, "other");
+    EXPECT_EQ(scene.nodes[3].parent, 0u);
+    EXPECT_EQ(scene.nodes[3].model, 0u);
+    EXPECT_EQ(scene.nodes[3].local.translation_m, glm::vec3(4, 5, 6));
+    EXPECT_EQ(scene.nodes[3].local.rotation.x, 1.0f);
+    EXPECT_EQ(scene.nodes[3].local.scale, glm::vec3(2));
+    EXPECT_THAT(scene.roots, ElementsAre(0));
+    EXPECT_EQ(log.text(), "");
+}
+
+TEST(GltfInstancing, InstancesWithoutAPlaceAreLeftOut) {
+    Draft draft = corners();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    draft.add<float>({1, 2, 3, nan, 5, 6, 0, 0, 0}, "VEC3");
+    draft.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0}, "VEC4");
+    const LogCapture log;
+    const Scene scene = draft.load(instanced(R"("attributes":{"TRANSLATION":1,"ROTATION":2})"));
+    EXPECT_EQ(scene.nodes.size(), 3u);
+    EXPECT_EQ(log.lines(), 1);
+    EXPECT_THAT(log.text(), HasSubstr("2 instances have no finite place"));
+}
+
+TEST(GltfInstancing, NothingToRepeatLeavesTheNodeAsItIs) {
+    const LogCapture log;
+    EXPECT_EQ(corners().load(instanced(R"("attributes":{})")).nodes[0].model, 0u);
+    EXPECT_EQ(corners().load(instanced("")).nodes[0].model, 0u);
+    EXPECT_EQ(corners().load(instanced(R"("attributes":{"TRANSLATION":0})", "")).nodes.size(), 2u);
+    EXPECT_EQ(log.lines(), 3);
+}
+
+TEST(GltfInstancing, AttributesThatDoNotFitAreRefused) {
+    Draft draft = corners();
+    draft.add<float>({1, 2, 3}, "VEC3");
+    EXPECT_THAT(draft.error(instanced(R"("attributes":{"TRANSLATION":0,"SCALE":1})")),
+                HasSubstr("nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.SCALE: 1 elements"));
+    EXPECT_THAT(draft.error(instanced(R"("attributes":{"ROTATION":1})")),
+                HasSubstr("attributes.ROTATION: 3 components, expected 4"));
+    EXPECT_THAT(draft.error(instanced(R"("attributes":{"TRANSLATION":"0"})")), HasSubstr("accessor -1"));
+    EXPECT_THAT(draft.error(instanced(R"("attributes":{"TRANSLATION":1e300})")), HasSubstr("accessor -1"));
+}
+
+TEST(GltfInstancing, InstancesCannotFillTheMemory) {
+    Draft draft = corners();
+    draft.add_text(R"({"componentType":5126,"count":900000,"type":"VEC3"})");
+    EXPECT_THAT(draft.error(instanced(R"("attributes":{"TRANSLATION":1})")),
+                HasSubstr("more vertices or indices"));
+}
+
+std::string levels(const std::string& ids, const std::string& more = {}) {
+    return R"("extensions":{"MSFT_lod":{"ids":[)" + ids + "]}}" + more;
+}
+
+TEST(GltfLevels, CoarserNodesAndTheirCoverageAreRead) {
+    const LogCapture log;
+    const Scene scene = Draft{}.load(
+        R"(,"nodes":[{)" + levels("2,3", R"(,"extras":{"MSFT_screencoverage":[0.5,0.25,0.01]})") +
+        R"(},{},{"children":[4]},{},{}],"extensionsUsed":["MSFT_lod"],"extensionsRequired":["MSFT_lod"])");
+    EXPECT_THAT(scene.nodes[0].coarser, ElementsAre(2, 3));
+    EXPECT_THAT(scene.nodes[0].screen_coverage, ElementsAre(0.5f, 0.25f, 0.01f));
+    EXPECT_THAT(scene.roots, ElementsAre(0, 1));
+    EXPECT_EQ(log.text(), "");
+}
+
+TEST(GltfLevels, CoverageOfAnotherLengthIsNoCoverage) {
+    const Scene scene =
+        Draft{}.load(R"(,"nodes":[{)" + levels("1", R"(,"extras":{"MSFT_screencoverage":[0.5]})") + "},{}]");
+    EXPECT_THAT(scene.nodes[0].screen_coverage, IsEmpty());
+}
+
+TEST(GltfLevels, LoopsOfLevelsAreRefused) {
+    EXPECT_THAT(Draft{}.error(R"(,"nodes":[{)" + levels("1") + "},{" + levels("0") + "}]"),
+                HasSubstr("nodes[0]: a loop of children or levels of detail"));
+    // A level above the node that it serves.
+    EXPECT_THAT(Draft{}.error(R"(,"nodes":[{"children":[1]},{)" + levels("0") + "}]"),
+                HasSubstr("nodes[0]: a loop"));
+    EXPECT_THAT(Draft{}.error(R"(,"nodes":[{)" + levels("7") + "}]"),
+                HasSubstr("nodes[0].extensions.MSFT_lod.ids[0]: node 7"));
+}
+
+TEST(GltfLevels, NodesOfTheSceneAndSharedOnesAreNoLevels) {
+    for (const std::string& nodes :
+         {"{" + levels("0") + "}", "{" + levels("1,1") + "},{}",
+          "{" + levels("2") + R"(},{"children":[2]},{})", "{" + levels("2") + "},{" + levels("2") + "},{}",
+          "{" + levels("2,3") + R"(},{"children":[3]},{},{})"}) {
+        const LogCapture log;
+        const Scene scene = Draft{}.load(R"(,"nodes":[)" + nodes + "]");
+        EXPECT_EQ(log.lines(), 1) << nodes;
+        EXPECT_THAT(log.text(), HasSubstr("extensions.MSFT_lod: levels of detail are left out"));
+    }
+    const LogCapture log;
+    const Scene scene = Draft{}.load(R"(,"nodes":[{)" + levels("1") + R"(},{}],"scenes":[{"nodes":[0,1]}])");
+    EXPECT_THAT(scene.nodes[0].coarser, IsEmpty());
+    EXPECT_THAT(scene.roots, ElementsAre(0, 1));
+    EXPECT_EQ(log.lines(), 1);
+}
+
+Scene import_material(const std::string& extensions) {
+    return Draft{}.load(
+        R"(,"images":[{"uri":"data:image/png;base64,AA=="}],"textures":[{"source":0},{"source":0}],)"
+        R"("materials":[{"extensions":{)" +
+        extensions + "}}]");
+}
+
+TEST(GltfMaterials, DielectricsAreReadWithTheirTextures) {
+    const Material material =
+        import_material(
+            R"("KHR_materials_ior":{"ior":1.33},"KHR_materials_specular":{"specularFactor":0.5,)"
+            R"("specularColorFactor":[2,0.5,-1],"specularTexture":{"index":0,"texCoord":1,"extensions":)"
+            R"({"KHR_texture_transform":{"offset":[0.5,0.25],"scale":[2,3]}}},"specularColorTexture":{"index":1}},)"
+            R"("KHR_materials_transmission":{"transmissionFactor":0.75,"transmissionTexture":{"index":0}})")
+            .materials[0];
+    EXPECT_FLOAT_EQ(material.ior, 1.33f);
+    EXPECT_EQ(material.specular, 0.5f);
+    EXPECT_EQ(material.specular_colour, glm::vec3(2, 0.5f, 0));
+    EXPECT_EQ(material.transmission, 0.75f);
+    EXPECT_EQ(material.specular_texture.uv_set, 1u);
+    EXPECT_EQ(material.specular_texture.offset, glm::vec2(0.5f, 0.25f));
+    EXPECT_EQ(material.specular_texture.scale, glm::vec2(2, 3));
+    const Scene scene = import_material(
+        R"("KHR_materials_specular":{"specularTexture":{"index":0},"specularColorTexture":{"index":0}})");
+    EXPECT_EQ(scene.textures[scene.materials[0].specular_texture.texture].colour_space, ColourSpace::linear);
+    EXPECT_EQ(scene.textures[scene.materials[0].specular_colour_texture.texture].colour_space,
+              ColourSpace::srgb);
+}
+
+TEST(GltfMaterials, DefaultsAndStrangeNumbersStayInRange) {
+    const auto ior = [](const std::string& value) {
+        return import_material(R"("KHR_materials_ior":{)" + value + "}").materials[0].ior;
+    };
+    EXPECT_EQ(ior(""), 1.5f);
+    EXPECT_EQ(ior(R"("ior":0)"), 0.0f);
+    EXPECT_EQ(ior(R"("ior":0.5)"), 1.0f);
+    EXPECT_EQ(ior(R"("ior":"1.2")"), 1.5f);
+    const Material material = import_material(R"("KHR_materials_specular":{"specularFactor":7},)"
+                                              R"("KHR_materials_transmission":{})")
+                                  .materials[0];
+    EXPECT_EQ(material.specular, 1.0f);
+    EXPECT_EQ(material.specular_colour, glm::vec3(1));
+    EXPECT_EQ(material.transmission, 0.0f);
+    const Draft draft;
+    EXPECT_THAT(draft.error(R"(,"materials":[{"extensions":{"KHR_materials_specular":{"specularTexture":)"
+                            R"({"index":3}}}}])"),
+                HasSubstr("materials[0].extensions.KHR_materials_specular.specularTexture.index: texture 3"));
+}
+
+TEST(Transmission, BecomesAlphaThatKeepsSomeSurface) {
+    Scene scene;
+    scene.materials.resize(2);
+    scene.materials[0].transmission = 0.5f;
+    scene.materials[0].base_colour.w = 0.5f;
+    blend_transmission(scene);
+    EXPECT_EQ(scene.materials[0].alpha_mode, AlphaMode::blend);
+    EXPECT_FLOAT_EQ(scene.materials[0].base_colour.w, 0.275f);  // 0.5 · (1 − 0.9 · 0.5)
+    EXPECT_EQ(scene.materials[0].transmission, 0.5f);
+    EXPECT_EQ(scene.materials[1].alpha_mode, AlphaMode::opaque);
+    EXPECT_EQ(scene.materials[1].base_colour.w, 1.0f);
+}
+
+}  // namespace
+}  // namespace rambla::assets::test
