@@ -20,15 +20,16 @@
 
 namespace rambla::ecs {
 
+/// How a schedule runs its systems.
 struct ScheduleOptions {
     /// 0: as many as oneTBB allows at each run; 1: one system after the other, on the calling thread. The
     /// world is the same after any number.
     std::size_t threads = 0;
 };
 
-/// How long a system took in the last run, its parallel loops included.
+/// How long a system took, its parallel loops included.
 struct SystemTime {
-    std::string_view name;
+    std::string_view name;  ///< of the system
     std::uint64_t ns = 0;
 };
 
@@ -66,11 +67,14 @@ public:
     /// Says more about a system than its parameters do. Valid until the next add().
     class Added {
     public:
-        /// Throws Misuse, at the next plan() or run(), when there is no system of that name or the order
-        /// contradicts itself.
+        /// It ends before the system of that name begins. Throws Misuse, at the next plan() or run(), when
+        /// there is none or the order contradicts itself.
         Added& before(std::string name);
+        /// The other way round.
         Added& after(std::string name);
-        /// Components that it reads or writes through its World&, which then is not for itself.
+        /// Components that it reads or writes through its World&, which then is not for itself. Enable bits
+        /// belong to their component: what writes C may call set_enabled<C>(), and runs apart from systems
+        /// that ask Enabled<C>. EnableState<C> names the bits alone.
         template <class... Cs>
         Added& reads() {
             return touches<Cs...>(AccessKind::component, false);
@@ -79,6 +83,7 @@ public:
         Added& writes() {
             return touches<Cs...>(AccessKind::component, true);
         }
+        /// The same for resources.
         template <class... Rs>
         Added& reads_resources() {
             return touches<Rs...>(AccessKind::resource, false);
@@ -94,8 +99,15 @@ public:
         explicit Added(Entry& entry) : entry_{&entry} {}
         template <class... Ts>
         Added& touches(AccessKind kind, bool writes) {
-            (declare(access_part<Ts>(kind, writes)), ...);
+            (touch<Ts>(kind, writes), ...);
             return *this;
+        }
+        template <class T>
+        void touch(AccessKind kind, bool writes) {
+            declare(access_part<T>(kind, writes));
+            if constexpr (has_enable_bit<T>) {
+                if (kind == AccessKind::component) declare(access_part<EnableState<T>>(kind, writes));
+            }
         }
         void declare(const AccessPart& part);
 
@@ -112,10 +124,14 @@ public:
     /// What is added from here on runs after what was added before, and sees its structural changes.
     void sync();
 
+    /// Runs every system once. Throws Misuse when the order contradicts itself, then nothing runs; and what
+    /// systems throw, see above. One world after another is fine, two at the same time are not.
     void run(World& world);
 
+    /// The order in which the systems run. Throws Misuse when it contradicts itself.
     [[nodiscard]] const Plan& plan();
-    /// In the order of the plan.
+    /// In the order of the plan, of the last run in which each system ran; 0 before. Valid until the next
+    /// add().
     [[nodiscard]] std::span<const SystemTime> times() const { return times_; }
     /// Distinct threads that have worked for this schedule, its caller included.
     [[nodiscard]] std::size_t worker_threads() const { return team_.worker_threads(); }
