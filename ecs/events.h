@@ -17,16 +17,20 @@ namespace rambla::ecs {
 template <class E>
 class Events {
 public:
+    /// Written in the step before this one, oldest first. Valid until the next write.
     [[nodiscard]] std::span<const E> of_last_step() const { return columns_[0]; }
+    /// Written since the step began, oldest first. Valid until the next write.
     [[nodiscard]] std::span<const E> of_this_step() const { return columns_[1]; }
 
     /// For code outside of schedules; systems write through an EventWriter.
     void emit(E event) { columns_[1].push_back(std::move(event)); }
+    /// Emits all of them, in their order, and leaves `events` empty, with its memory.
     void append(std::vector<E>& events) {
         for (E& event : events)
             columns_[1].push_back(std::move(event));
         events.clear();
     }
+    /// Forgets what was written in the step before the one that ends. Schedules that write E do it.
     void begin_step() {
         first_ += columns_[0].size();
         columns_[0].clear();
@@ -57,16 +61,21 @@ private:
 };
 
 /// System parameter: the events that this system has not read yet. A system that runs in each step reads each
-/// event once: in the step in which it was written if the writer ran before it, else in the next.
+/// event once: in the step in which it was written if the writer ran before it, else in the next. In another
+/// world than the last time it begins with the oldest event that is there.
 template <class E>
 class EventReader {
 public:
     EventReader(std::span<const E> of_last_step, std::span<const E> of_this_step)
         : of_last_step_{of_last_step}, of_this_step_{of_this_step} {}
 
+    /// Those of the step before that this system has not read, oldest first. Valid while the system runs.
     [[nodiscard]] std::span<const E> of_last_step() const { return of_last_step_; }
+    /// Those of this step that it has not read.
     [[nodiscard]] std::span<const E> of_this_step() const { return of_this_step_; }
+    /// Number of both.
     [[nodiscard]] std::size_t size() const { return of_last_step_.size() + of_this_step_.size(); }
+    /// Whether there is nothing to read.
     [[nodiscard]] bool empty() const { return size() == 0; }
     /// Calls f(event), oldest first.
     template <class F>
@@ -87,20 +96,24 @@ private:
 template <class E>
 class EventWriter final : public detail::JobLanes {
 public:
+    /// From the system itself.
     void emit(E event) { own_.push_back(std::move(event)); }
     /// From a job of a parallel loop of this system.
     void emit(Job job, E event) { lanes_[job.index].push_back(std::move(event)); }
 
+    /// For the schedule: see detail::JobLanes.
     void open(std::uint32_t count) override {
         if (lanes_.size() < count) lanes_.resize(count);
         opened_ = count;
     }
+    /// For the schedule: hands over what was written.
     void finish(Events<E>& events) {
         events.append(own_);
         for (std::uint32_t i = 0; i < opened_; ++i)
             events.append(lanes_[i]);
         opened_ = 0;
     }
+    /// For the schedule: drops what was written.
     void forget() noexcept {
         own_.clear();
         for (std::vector<E>& lane : lanes_)

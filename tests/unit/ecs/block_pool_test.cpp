@@ -4,12 +4,11 @@
 
 #include <cstdint>
 #include <cstring>
-#include <memory_resource>
-#include <new>
 #include <random>
 #include <vector>
 
 #include "ecs/misuse.h"
+#include "unit/ecs/lender.h"
 
 namespace rambla::ecs {
 namespace {
@@ -87,28 +86,9 @@ TEST(BlockPool, CompactingGivesBackSlabsWithoutUsedBlocks) {
     EXPECT_EQ(pool.memory_bytes(), full);
 }
 
-/// Counts what it lends.
-class Lender : public std::pmr::memory_resource {
-public:
-    std::size_t lent = 0;
-
-private:
-    void* do_allocate(std::size_t bytes, std::size_t alignment) override {
-        if (lent + bytes > 200'000) throw std::bad_alloc{};
-        lent += bytes;
-        return std::pmr::new_delete_resource()->allocate(bytes, alignment);
-    }
-    void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override {
-        lent -= bytes;
-        std::pmr::new_delete_resource()->deallocate(memory, bytes, alignment);
-    }
-    [[nodiscard]] bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
-        return this == &other;
-    }
-};
-
 TEST(BlockPool, LivesFromTheMemoryThatItIsGiven) {
-    Lender lender;
+    test::Lender lender;
+    lender.limit = 200'000;
     {
         BlockPool pool{&lender};
         (void)pool.take(600);

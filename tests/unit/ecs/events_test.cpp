@@ -110,6 +110,26 @@ TEST(Events, AScheduleThatOnlyReadsDoesNotForget) {
     EXPECT_EQ(world.resource<Events<Hit>>().of_this_step().size(), 1u);
 }
 
+TEST(Events, AReaderTakenToAnotherWorldBeginsWithTheOldestThatIsThere) {
+    World first;
+    World second;
+    first.set_resource(Events<Hit>{}).emit({1});
+    first.resource<Events<Hit>>().emit({2});
+    second.set_resource(Events<Hit>{}).emit({3});
+    std::vector<int> read;
+    Schedule schedule;
+    schedule.add("read", [&](EventReader<Hit> hits) { read = numbers(hits); });
+    schedule.run(first);
+    EXPECT_THAT(read, ElementsAre(1, 2));
+    schedule.run(second);
+    EXPECT_THAT(read, ElementsAre(3)) << "two events of the first world do not hide the second's";
+    second.resource<Events<Hit>>().emit({4});
+    schedule.run(second);
+    EXPECT_THAT(read, ElementsAre(4)) << "each event once";
+    schedule.run(first);
+    EXPECT_THAT(read, ElementsAre(1, 2)) << "the way back is a way to another world, too";
+}
+
 TEST(Events, OfJobsStandInTheOrderOfTheJobsAfterTheSystemsOwn) {
     constexpr int k_count = 40 * 1024 + 7;
     for (const std::size_t threads : {1u, 2u, 5u}) {
