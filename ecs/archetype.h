@@ -48,6 +48,13 @@ struct ArchetypeStorage {
     bool reserves = true;  ///< grow in place above k_pooled_rows; else in blocks, whose rows then move
 };
 
+/// Whether observers have to be told of an archetype's entities. They look when they are first asked.
+struct Watched {
+    bool known = false;
+    bool begin = true;  ///< of those that begin here; until known, perhaps
+    bool end = true;    ///< of those that end here
+};
+
 /// All entities with the same set of components and the same shared values: one column per component, one row
 /// per entity, without gaps.
 ///
@@ -100,6 +107,8 @@ public:
     Archetype& operator=(const Archetype&) = delete;
 
     [[nodiscard]] std::uint32_t index() const { return index_; }
+    [[nodiscard]] const Watched& watched() const { return watched_; }
+    void set_watched(const Watched& watched) { watched_ = watched; }
     [[nodiscard]] std::uint32_t rows() const { return rows_; }
     [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
     [[nodiscard]] std::span<const ComponentId> signature() const { return signature_; }
@@ -253,10 +262,11 @@ private:
     std::vector<ColumnIndex> column_of_;  ///< by component number
     std::vector<ComponentId> signature_;
     std::vector<const SharedValue*> shared_;
-    std::uint32_t version_stride_ = 1;      ///< columns and one
-    std::uint32_t rows_version_;            ///< latest of rows coming and going
-    bool ends_quietly_ = true;              ///< no component has a destructor to call
-    bool has_companions_ = false;           ///< some column holds EnableStates
+    std::uint32_t version_stride_ = 1;  ///< columns and one
+    std::uint32_t rows_version_;        ///< latest of rows coming and going
+    bool ends_quietly_ = true;          ///< no component has a destructor to call
+    bool has_companions_ = false;       ///< some column holds EnableStates
+    Watched watched_;
     std::byte* block_ = nullptr;            ///< all columns, while they share a block
     std::vector<ReservedMemory> reserved_;  ///< entities, then the columns, once each has its own
     std::vector<std::uint32_t> versions_;   ///< per chunk: rows coming and going, then one per column

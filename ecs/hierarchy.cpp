@@ -20,6 +20,12 @@ Entity living_parent(const World& world, Entity entity) {
     return parent != nullptr && world.alive(parent->entity) ? parent->entity : Entity{};
 }
 
+void make_unique(std::vector<Entity>& entities) {
+    std::ranges::sort(entities, {}, &Entity::index);
+    const auto doubles = std::ranges::unique(entities);
+    entities.erase(doubles.begin(), doubles.end());
+}
+
 /// @param first, last  a ring is closed by making `last`, an ancestor of itself or to become one, hang from
 ///                     where the walk up from `first` began
 [[noreturn]] void throw_ring(const World& world, std::string_view operation, Entity first, Entity last) {
@@ -103,24 +109,30 @@ std::size_t Hierarchy::destroy(Entity entity) {
 }
 
 std::size_t Hierarchy::end_orphans() {
-    begin_collecting();
-    for (const Entity orphan : orphans_) {
-        const std::uint32_t node = nodes_.find(orphan);
-        if (node == HierarchyNodes::k_none || nodes_[node].kind != HierarchyNodes::Kind::lost) continue;
-        const Entity parent = nodes_[node].parent;
-        const bool died = parent.generation != 0 && !world_.alive(parent);
-        if (died) collect(node);
-    }
-    collect_below(HierarchyNodes::k_none);
-    const std::size_t ended = carry_out();
-    orphans_.clear();
-    return ended;
+    collect_orphans();
+    return carry_out();
 }
 
 Playback Hierarchy::apply(Commands& commands) {
     const Playback playback = commands.apply(world_);
     end_orphans();
     return playback;
+}
+
+void Hierarchy::follow_ends() {
+    if (followed_ != nullptr) throw Misuse{"ecs: Hierarchy::follow_ends: it does already"};
+    Observers& observers = world_.observers();
+    observers.add_follower(*this);
+    followed_ = &observers;
+}
+
+Hierarchy::~Hierarchy() {
+    if (followed_ != nullptr) followed_->remove_follower(*this);
+}
+
+void Hierarchy::record_orphans(Commands& commands) {
+    collect_orphans();
+    record(commands);
 }
 
 std::size_t Hierarchy::memory_bytes() const {
@@ -158,25 +170,38 @@ void Hierarchy::collect(std::uint32_t node) {
     }
 }
 
+/// They stay in the list until an update finds that they are none: what is recorded may not be played.
+void Hierarchy::collect_orphans() {
+    begin_collecting();
+    std::erase_if(orphans_, [&](Entity entity) { return !is_orphan(entity); });
+    make_unique(orphans_);
+    for (const Entity orphan : orphans_)
+        collect(nodes_.find(orphan));
+    collect_below(HierarchyNodes::k_none);
+}
+
+/// Of an entity that hung from itself, or from what was never alive, no parent has ended.
+bool Hierarchy::is_orphan(Entity entity) const {
+    const std::uint32_t node = nodes_.find(entity);
+    if (node == HierarchyNodes::k_none || nodes_[node].kind != HierarchyNodes::Kind::lost) return false;
+    const Entity parent = nodes_[node].parent;
+    return parent.generation != 0 && !world_.alive(parent);
+}
+
 /// In the order of indices, which does not depend on when updates met whom.
+void Hierarchy::record(Commands& commands) {
+    make_unique(freed_);
+    make_unique(ending_);
+    for (const Entity entity : freed_)
+        commands.remove<Parent>(entity);
+    commands.destroy_many(ending_);
+}
+
 std::size_t Hierarchy::carry_out() {
-    const auto by_index = [](Entity a, Entity b) {
-        return a.index < b.index;
-    };
-    for (std::vector<Entity>* list : {&freed_, &ending_}) {
-        std::sort(list->begin(), list->end(), by_index);
-        list->erase(std::unique(list->begin(), list->end()), list->end());
-    }
-    // Observers of one may have ended, or freed, another that is still to come.
-    for (const Entity entity : freed_) {
-        if (world_.alive(entity) && world_.has<Parent>(entity)) world_.remove<Parent>(entity);
-    }
-    std::size_t ended = 0;
-    for (const Entity entity : ending_) {
-        if (!world_.alive(entity)) continue;
-        world_.destroy(entity);
-        ++ended;
-    }
+    commands_.clear();
+    record(commands_);
+    const std::size_t ended = ending_.size();
+    commands_.apply(world_);  // whoever follows ends collects anew
     return ended;
 }
 

@@ -7,6 +7,7 @@
 
 #include "ecs/commands.h"
 #include "ecs/hierarchy_nodes.h"
+#include "ecs/observers.h"
 #include "ecs/parent.h"
 #include "ecs/world.h"
 
@@ -37,7 +38,9 @@ public:
         std::size_t steps_ = 0;
         std::size_t next_mark_ = 1;
     };
+    /// The nearest. Throws as the steps do.
     [[nodiscard]] Iterator begin() const { return {*world_, entity_}; }
+    /// Above the root.
     [[nodiscard]] std::default_sentinel_t end() const { return {}; }
 
 private:
@@ -51,6 +54,9 @@ class Hierarchy {
 public:
     /// @param world  must outlive it
     explicit Hierarchy(World& world) : world_{world} {}
+    ~Hierarchy();
+    Hierarchy(const Hierarchy&) = delete;
+    Hierarchy& operator=(const Hierarchy&) = delete;
 
     /// The children of an entity as of the last update(), in the order in which updates met them. Valid until
     /// the next update().
@@ -80,8 +86,11 @@ public:
             std::uint32_t node_ = HierarchyNodes::k_none;
         };
         Children(const HierarchyNodes& nodes, std::uint32_t first) : nodes_{&nodes}, first_{first} {}
+        /// The child met first.
         [[nodiscard]] Iterator begin() const { return {*nodes_, first_}; }
+        /// Behind the last child.
         [[nodiscard]] Iterator end() const { return {*nodes_, HierarchyNodes::k_none}; }
+        /// Whether there are none.
         [[nodiscard]] bool empty() const { return first_ == HierarchyNodes::k_none; }
 
     private:
@@ -93,7 +102,9 @@ public:
     /// that changed. Ends the world's version. Allocates nothing when nothing changed.
     void update();
 
+    /// The children of an entity, see Children; none for entities that are no parents, or not alive.
     [[nodiscard]] Children children(Entity entity) const;
+    /// See Ancestors.
     [[nodiscard]] Ancestors ancestors(Entity entity) const { return {world_, entity}; }
     /// Number of ancestors: 0 for roots.
     [[nodiscard]] std::size_t depth(Entity entity) const;
@@ -110,20 +121,42 @@ public:
     /// Plays commands, then ends the orphans that they left.
     Playback apply(Commands& commands);
 
+    /// From now on, as long as this lives, orphans end by themselves, whatever way their parent ended:
+    /// World::destroy, Commands, commands for all entities, a schedule. When a change (one call, or one
+    /// playback as a whole) has ended entities, what hangs from them, however deep, is destroyed or freed by
+    /// one more playback, together with what observers recorded, before the call returns. What counts are the
+    /// Parent components as that change left them; those that name an entity that ended earlier count with
+    /// the next change that ends one. So they do after an exception.
+    ///
+    /// Worlds where this is never called pay nothing. Others pay for every change that ends entities what
+    /// update() costs, so end many by Commands, not one by one; and what worlds with observers do. Throws
+    /// Misuse when called twice, and as World::observers().
+    void follow_ends();
+
+    /// Memory held.
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
+    friend class Observers;
+
+    /// Records the end of all orphans, for an observer's playback.
+    void record_orphans(Commands& commands);
+    [[nodiscard]] bool is_orphan(Entity entity) const;
+    void collect_orphans();
     void begin_collecting();
     void collect(std::uint32_t node);
     void collect_below(std::uint32_t first);
+    void record(Commands& commands);
     std::size_t carry_out();
 
     World& world_;
     HierarchyNodes nodes_{{&component_info<Parent>()}};
     std::uint32_t since_ = 0;
+    Observers* followed_ = nullptr;
+    Commands commands_;            ///< of carry_out()
     std::vector<Entity> orphans_;  ///< children whose parent was found dead, some of them perhaps no more
     std::vector<std::uint32_t> stack_;
-    std::vector<Entity> ending_;  ///< with freed_: what carry_out() does
+    std::vector<Entity> ending_;  ///< with freed_: what record() records
     std::vector<Entity> freed_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "ecs/command_plan.h"
 #include "ecs/command_player.h"
+#include "ecs/hierarchy.h"
 #include "ecs/iteration.h"
 #include "ecs/misuse.h"
 #include "ecs/world_access.h"
@@ -17,7 +18,7 @@ void Observers::end(ObserverId id) {
         for (std::vector<Observer>& observers : observed.by_moment) {
             if (std::erase_if(observers, [&](const Observer& observer) { return observer.id == id; }) == 0)
                 continue;
-            watches_.clear();
+            forget_watched();
             return;
         }
     }
@@ -34,20 +35,39 @@ ObserverId Observers::insert(const ComponentInfo& info, Moment moment, Function 
     const ObserverId id{next_number_};
     observed->by_moment[static_cast<std::size_t>(moment)].push_back({id, std::move(call)});
     ++next_number_;
-    watches_.clear();
+    forget_watched();
     return id;
 }
 
-bool Observers::find_watch(const Archetype& archetype) {
+void Observers::add_follower(Hierarchy& hierarchy) {
+    detail::IterationMark::forbid(world_, "Hierarchy::follow_ends");
+    followers_.push_back(&hierarchy);
+    forget_watched();
+}
+
+void Observers::remove_follower(const Hierarchy& hierarchy) noexcept {
+    std::erase(followers_, &hierarchy);
+    forget_watched();
+}
+
+const Watched& Observers::find_watched(Archetype& archetype) const {
+    if (archetype.watched().known) return archetype.watched();
     const ArchetypeGraph& graph = detail::WorldAccess::graph(world_);
-    const bool found = std::ranges::any_of(observed_, [&](const Observed& observed) {
-        if (!observed.at(Moment::add) && !observed.at(Moment::remove)) return false;
-        return observed.info->storage == Storage::sparse ||
-               archetype.has(graph.find_component(observed.info->type_index));
-    });
-    if (watches_.size() <= archetype.index()) watches_.resize(graph.size(), Watch::unknown);
-    watches_[archetype.index()] = found ? Watch::somebody : Watch::nobody;
-    return found;
+    Watched watched{.known = true, .begin = false, .end = !followers_.empty()};
+    for (const Observed& observed : observed_) {
+        const bool sparse = observed.info->storage == Storage::sparse;
+        const bool held = archetype.has(graph.find_component(observed.info->type_index));
+        watched.begin = watched.begin || (observed.at(Moment::add) && held);
+        watched.end = watched.end || (observed.at(Moment::remove) && (held || sparse));
+    }
+    archetype.set_watched(watched);
+    return archetype.watched();
+}
+
+void Observers::forget_watched() noexcept {
+    const ArchetypeGraph& graph = detail::WorldAccess::graph(world_);
+    for (std::size_t i = 0; i < graph.size(); ++i)
+        graph[i].set_watched({});
 }
 
 bool Observers::watches(const ComponentInfo& info) const {
@@ -68,6 +88,7 @@ void Observers::note(Entity entity, const ComponentInfo& info, Moment moment) {
 }
 
 void Observers::note_end(Entity entity) {
+    ended_ = true;
     for (Observed& observed : observed_) {
         if (observed.at(Moment::remove) && holds(observed, entity)) observed.note(Moment::remove, entity);
     }
@@ -83,6 +104,10 @@ void Observers::note_new(std::span<const Entity> entities) {
 }
 
 void Observers::note_plan(const detail::CommandPlan& plan) {
+    ended_ =
+        ended_ || std::ranges::any_of(plan.groups(), [](const detail::PlannedGroup& group) {
+            return group.to == nullptr;  // those made and ended in this plan, too: others may hang from them
+        });
     for (Observed& observed : observed_) {
         // A component that the plan is the first to speak of has got its number now.
         observed.component = detail::WorldAccess::graph(world_).find_component(observed.info->type_index);
@@ -155,6 +180,7 @@ void Observers::note_whole(std::span<Archetype* const> archetypes, const Compone
 }
 
 void Observers::note_whole_end(std::span<Archetype* const> archetypes) {
+    ended_ = ended_ || !archetypes.empty();
     for (Observed& observed : observed_) {
         if (!observed.at(Moment::remove)) continue;
         const bool sparse = observed.info->storage == Storage::sparse;
@@ -189,6 +215,7 @@ void Observers::settle() {
     try {
         for (std::uint32_t depth = 0;; ++depth) {
             if (error_ != nullptr) std::rethrow_exception(error_);
+            tell_followers();
             Commands& recorded = recordings_[recording_];
             if (recorded.empty()) return;
             if (depth == k_cascade_limit) throw_without_end();
@@ -225,6 +252,13 @@ void Observers::tell(Moment moment) noexcept {
     } catch (...) {
         error_ = std::current_exception();
     }
+}
+
+void Observers::tell_followers() {
+    if (!ended_) return;
+    for (Hierarchy* hierarchy : followers_)
+        hierarchy->record_orphans(recordings_[recording_]);
+    ended_ = false;
 }
 
 void Observers::tell(const Observed& observed, Moment moment, Entity entity) {
@@ -270,7 +304,7 @@ std::size_t Observers::size() const {
 
 std::size_t Observers::memory_bytes() const {
     std::size_t bytes = sizeof(Observers) + observed_.capacity() * sizeof(Observed) +
-                        announced_.capacity() * sizeof(Entity) + watches_.capacity() * sizeof(Watch);
+                        announced_.capacity() * sizeof(Entity) + followers_.capacity() * sizeof(Hierarchy*);
     for (const Observed& observed : observed_) {
         for (const std::vector<Observer>& observers : observed.by_moment)
             bytes += observers.capacity() * sizeof(Observer);

@@ -18,6 +18,8 @@
 
 namespace rambla::ecs {
 
+class Hierarchy;
+
 namespace detail {
 
 template <class C, class F>
@@ -85,17 +87,19 @@ public:
     /// Ends an observer. Throws Misuse if there is none such.
     void end(ObserverId id);
 
+    /// Number of observers that were added and did not end.
     [[nodiscard]] std::size_t size() const;
+    /// Memory held, without what the functions own.
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
+    friend class Hierarchy;
     friend class World;
     friend std::span<const Entity> detail::announce(World& world, std::span<const Entity> entities);
     friend class detail::CommandPlayer;
 
     enum class Moment : std::uint8_t { remove, add, set };
     static constexpr std::size_t k_moments = 3;
-    enum class Watch : std::uint8_t { unknown, nobody, somebody };
 
     using Function = std::function<void(Entity, const void*, Commands&)>;
     struct Observer {
@@ -121,14 +125,21 @@ private:
     template <class C, class F>
     ObserverId observe(Moment moment, F f);
     ObserverId insert(const ComponentInfo& info, Moment moment, Function call);
+    /// A hierarchy that records what follows each change in which entities ended, whatever they had.
+    void add_follower(Hierarchy& hierarchy);
+    void remove_follower(const Hierarchy& hierarchy) noexcept;
 
-    /// Whether somebody may have to be told of entities of this archetype that begin or end.
-    bool watches(const Archetype& archetype) {
-        const std::uint32_t index = archetype.index();
-        const Watch known = index < watches_.size() ? watches_[index] : Watch::unknown;
-        return known != Watch::nobody && (known == Watch::somebody || find_watch(archetype));
+    /// Whether somebody may have to be told of what the columns of entities that begin in this archetype
+    /// hold. Sparse values are not asked about.
+    [[nodiscard]] bool watches_begin(Archetype& archetype) const {
+        return archetype.watched().begin && find_watched(archetype).begin;
     }
-    bool find_watch(const Archetype& archetype);
+    /// Whether somebody may have to be told of entities that end in this archetype.
+    [[nodiscard]] bool watches_end(Archetype& archetype) const {
+        return archetype.watched().end && find_watched(archetype).end;
+    }
+    const Watched& find_watched(Archetype& archetype) const;
+    void forget_watched() noexcept;
     [[nodiscard]] bool watches(const ComponentInfo& info) const;
     /// Begins to watch a change; what was noted of one that failed is forgotten.
     void begin();
@@ -147,13 +158,14 @@ private:
     void after_change(std::span<const Entity> created = {}) noexcept;
     /// Tells of new entities, and settles. Returns them where what was recorded cannot have moved them.
     std::span<const Entity> announce(std::span<const Entity> entities);
-    /// Plays what observers have recorded, and throws what one of them has thrown.
+    /// Plays what observers have recorded, and what they record then, and throws what one of them has thrown.
     void settle();
     [[noreturn]] void throw_without_end() const;
     /// Forgets what was recorded and thrown.
     void forget() noexcept;
 
     void tell(Moment moment) noexcept;
+    void tell_followers();
     void tell(const Observed& observed, Moment moment, Entity entity);
     [[nodiscard]] bool holds(const Observed& observed, Entity entity) const;
     [[nodiscard]] const void* value_of(const Observed& observed, Entity entity) const;
@@ -162,7 +174,8 @@ private:
     std::vector<Observed> observed_;      ///< in the order in which they were first observed
     std::array<Commands, 2> recordings_;  ///< one is recorded while the other is played
     std::size_t recording_ = 0;
-    std::vector<Watch> watches_;     ///< by archetype
+    std::vector<Hierarchy*> followers_;
+    bool ended_ = false;             ///< some entity, and the followers do not know yet
     std::vector<Entity> announced_;  ///< that announce() returned
     std::exception_ptr error_;
     const ComponentInfo* last_recorder_ = nullptr;

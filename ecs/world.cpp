@@ -28,7 +28,7 @@ void World::destroy(Entity entity) {
     detail::IterationMark::forbid(*this, "destroy");
     const EntityRecord* record = entities_.find(entity);
     if (record == nullptr) detail::throw_not_alive("destroy", {}, entity);
-    if (observers_ != nullptr && observers_->watches(graph_[record->archetype])) [[unlikely]]
+    if (observers_ != nullptr && observers_->watches_end(graph_[record->archetype])) [[unlikely]]
         return destroy_observed(entity);
     end(entity, *record);
 }
@@ -124,9 +124,8 @@ Observers& World::observers() {
     return *observers_;
 }
 
-void World::announce_new(Entity entity) {
-    if (observers_->watches(graph_[entities_[entity.index].archetype]))
-        (void)observers_->announce({&entity, 1});
+void World::announce_new(Entity entity, Archetype& archetype, bool has_sparse) {
+    if (has_sparse || observers_->watches_begin(archetype)) (void)observers_->announce({&entity, 1});
 }
 
 bool World::before_add(Entity entity, const ComponentInfo& info) {
@@ -203,7 +202,9 @@ std::size_t World::memory_bytes() const {
 }
 
 std::span<const Entity> detail::announce(World& world, std::span<const Entity> entities) {
-    return world.observers_ == nullptr ? entities : world.observers_->announce(entities);
+    if (world.observers_ == nullptr || entities.empty()) return entities;
+    Archetype& archetype = world.graph_[world.entities_[entities.front().index].archetype];
+    return world.observers_->watches_begin(archetype) ? world.observers_->announce(entities) : entities;
 }
 
 }  // namespace rambla::ecs

@@ -44,8 +44,8 @@ struct WorldOptions {
     /// False: archetypes grow by allocating anew and moving their rows.
     bool reserve_address_space = true;
     /// Where rows of small archetypes, sparse and shared values come from, in slabs of 64 KiB and large
-    /// blocks; null: the heap. Outlives the world. Rows of larger archetypes have address ranges of their
-    /// own.
+    /// blocks; null: the heap. Outlives the world. Rows of larger archetypes and entity records have address
+    /// ranges of their own, tables come from the heap.
     std::pmr::memory_resource* memory = nullptr;
 };
 
@@ -69,15 +69,16 @@ public:
     requires(sizeof...(Cs) > 0) Entity create(Cs... values);
     /// Ends the entity and its components. Throws Misuse on a stale handle.
     void destroy(Entity entity);
+    /// Whether the handle is one of a living entity. Any handle will do.
     [[nodiscard]] bool alive(Entity entity) const { return entities_.find(entity) != nullptr; }
 
     /// Gives the entity a component, or replaces the value it has. Throws Misuse on a stale handle.
     template <Component C>
     void add(Entity entity, C value = {});
-    /// Throws Misuse on a stale handle or when the component is not there.
+    /// Takes the component away. Throws Misuse on a stale handle or when it is not there.
     template <Component C>
     void remove(Entity entity);
-    /// Throws Misuse on a stale handle.
+    /// Whether the entity has the component, tags included. Throws Misuse on a stale handle.
     template <Component C>
     [[nodiscard]] bool has(Entity entity) const;
 
@@ -87,6 +88,7 @@ public:
     /// component is not there.
     template <Component C>
     requires(has_enable_bit<C>) void set_enabled(Entity entity, bool enabled);
+    /// Whether the component is switched on. Throws Misuse on a stale handle or when it is not there.
     template <Component C>
     requires(has_enable_bit<C>) [[nodiscard]] bool enabled(Entity entity) const;
 
@@ -99,6 +101,7 @@ public:
     /// Null when the component is not there. Throws Misuse on a stale handle.
     template <Component C>
     [[nodiscard]] const C* try_get(Entity entity) const;
+    /// The same for writing: where the component is there, counts as a change of the row's chunk.
     template <Component C>
     [[nodiscard]] C* try_get_mut(Entity entity);
 
@@ -125,17 +128,19 @@ public:
         detail::AccessScope::require_alone(*this, "set_resource");
         return resources_.set<R>(std::move(value));
     }
-    /// Throws Misuse if it was never set.
+    /// The world's one R. Throws Misuse if it was never set.
     template <class R>
     [[nodiscard]] R& resource() {
         detail::AccessScope::check<R>(*this, AccessKind::resource, true);
         return resources_.get<R>();
     }
+    /// The same for reading.
     template <class R>
     [[nodiscard]] const R& resource() const {
         detail::AccessScope::check<R>(*this, AccessKind::resource, false);
         return resources_.get<R>();
     }
+    /// Whether R was ever set.
     template <class R>
     [[nodiscard]] bool has_resource() const {
         return resources_.find<R>() != nullptr;
@@ -157,6 +162,7 @@ public:
         return version_ - 1;
     }
 
+    /// Entities alive.
     [[nodiscard]] std::size_t entity_count() const { return entities_.alive_count(); }
     /// Archetypes ever born, the empty one included.
     [[nodiscard]] std::size_t archetype_count() const { return graph_.size(); }
@@ -212,7 +218,7 @@ private:
     /// Ends a living entity, which no observer is told.
     void end(Entity entity, const EntityRecord& record) noexcept;
     void destroy_observed(Entity entity);
-    void announce_new(Entity entity);
+    void announce_new(Entity entity, Archetype& archetype, bool has_sparse);
     /// Where to construct the component: raw memory, null for tags. Moves the entity, or ends the old value.
     void* slot_for(Entity entity, const ComponentInfo& info);
     void* sparse_slot_for(Entity entity, const ComponentInfo& info);
@@ -322,7 +328,8 @@ requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
     const Created created = create_in(*archetype);
     const ColumnIndex* column = place.columns.get();
     (construct(*archetype, *column++, created.row, values), ...);
-    if constexpr (((storage_of<Cs> == Storage::sparse) || ...)) {
+    constexpr bool k_has_sparse = ((storage_of<Cs> == Storage::sparse) || ...);
+    if constexpr (k_has_sparse) {
         try {
             (construct_sparse(created.entity, values), ...);
         } catch (...) {
@@ -330,8 +337,8 @@ requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
             throw;
         }
     }
-    if (observers_ != nullptr) [[unlikely]]
-        announce_new(created.entity);
+    if (observers_ != nullptr && (k_has_sparse || archetype->watched().begin)) [[unlikely]]
+        announce_new(created.entity, *archetype, k_has_sparse);
     return created.entity;
 }
 

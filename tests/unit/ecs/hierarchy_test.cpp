@@ -346,7 +346,7 @@ TEST(HierarchyAndObservers, WhatAnObserverEndedIsNotEndedTwice) {
     world.observers().on_remove<Health>(
         [&](Entity, const Health&, Commands& later) { later.destroy(first); });
     Hierarchy hierarchy{world};
-    EXPECT_EQ(hierarchy.destroy(root), 2u);
+    EXPECT_EQ(hierarchy.destroy(root), 3u);
     for (Entity entity : {root, first, second})
         EXPECT_FALSE(world.alive(entity));
 }
