@@ -11,12 +11,48 @@
 
 namespace rambla::ecs::detail {
 
+/// What the schedule keeps for a parameter written as P. Says what is wrong with those that it cannot
+/// provide.
+template <class P>
+struct ParameterAs {
+    using Type = Parameter<std::remove_cvref_t<P>>;
+    static_assert(
+        requires { sizeof(Type); },
+        "a parameter of a system is a View, Lookup, Res, ResMut or EventReader, or an EventWriter&, "
+        "Commands&, JobCommands&, Query& or World&; values of its own belong to the system itself");
+
+    /// Whether the system uses what the schedule keeps, rather than a value made for it.
+    static constexpr bool k_lent = [] {
+        if constexpr (requires { sizeof(Type); }) {
+            return std::is_reference_v<decltype(std::declval<Type&>().fetch(std::declval<SystemContext&>()))>;
+        }
+        return std::is_reference_v<P>;
+    }();
+    static constexpr bool k_is_reference_to_change =
+        std::is_lvalue_reference_v<P> && !std::is_const_v<std::remove_reference_t<P>>;
+    static_assert(!k_lent || std::is_lvalue_reference_v<P>,
+                  "a system takes World, Query, Commands, JobCommands and EventWriter by reference: World&");
+    static_assert(k_lent || !k_is_reference_to_change,
+                  "a system takes View, Lookup, Res, ResMut and EventReader by value, not by reference");
+};
+
+template <class F>
+concept OneCall = requires {
+    &F::operator();
+};
+
 /// The parameters of a function, or of what has one operator().
 template <class F>
-struct Signature : Signature<decltype(&F::operator())> {};
+struct Signature {
+    static_assert(OneCall<F>,
+                  "a system is a function that returns nothing, or an object with one operator() "
+                  "that does; no template (auto), no overloads");
+};
+template <OneCall F>
+struct Signature<F> : Signature<decltype(&F::operator())> {};
 template <class... Ps>
 struct Signature<void (*)(Ps...)> {
-    using Parameters = std::tuple<Parameter<std::remove_cvref_t<Ps>>...>;
+    using Parameters = std::tuple<typename ParameterAs<Ps>::Type...>;
 };
 template <class... Ps>
 struct Signature<void (*)(Ps...) noexcept> : Signature<void (*)(Ps...)> {};
