@@ -16,6 +16,7 @@ namespace rambla::ecs {
 
 class World;
 
+/// Whether this build checks.
 inline constexpr bool k_checks_access = RAMBLA_ECS_CHECKS_ACCESS != 0;
 
 namespace detail {

@@ -12,7 +12,9 @@ namespace rambla::ecs {
 /// at most a fifth of a block is lost. Blocks above k_largest_pooled come from the heap, one by one.
 class BlockPool {
 public:
+    /// Bytes of the largest block that is cut from a slab.
     static constexpr std::size_t k_largest_pooled = 16 * 1024;
+    /// Bytes that are asked for at a time.
     static constexpr std::size_t k_slab_bytes = 64 * 1024;
 
     /// @param memory  where slabs and large blocks come from, null: the heap; outlives the pool

@@ -18,7 +18,7 @@ namespace rambla::ecs {
 
 /// What Commands::apply did.
 struct Playback {
-    std::size_t applied = 0;
+    std::size_t applied = 0;  ///< commands
     std::size_t dropped = 0;  ///< target no longer alive, or component to remove not there
 };
 
@@ -56,13 +56,16 @@ public:
     void add(Entity entity, C value = {}) {
         record(detail::command_type<detail::CommandKind::add, C>(), entity, value);
     }
+    /// Takes a component away. Dropped and counted when played if it is not there then.
     template <Component C>
     void remove(Entity entity) {
         commands_.push_back({entity, &detail::command_type<detail::CommandKind::remove, C>(), nullptr});
     }
+    /// Ends an entity. Dropped and counted when played if it ended before.
     void destroy(Entity entity) {
         commands_.push_back({entity, &detail::command_type<detail::CommandKind::destroy>(), nullptr});
     }
+    /// destroy() for each, in their order.
     void destroy_many(std::span<const Entity> entities) {
         for (Entity entity : entities)
             destroy(entity);
@@ -97,7 +100,9 @@ public:
     Playback apply(World& world);
     /// Forgets what was recorded.
     void clear() noexcept;
+    /// Whether nothing is recorded.
     [[nodiscard]] bool empty() const { return commands_.empty(); }
+    /// Number of commands recorded; one for all entities counts as one.
     [[nodiscard]] std::size_t size() const { return commands_.size(); }
 
     /// The entity that the last apply() made for a placeholder. Throws Misuse if there is none.

@@ -70,6 +70,7 @@ struct EnableState {
 
 /// Number of a component inside one world, in the order in which the world met them.
 using ComponentId = std::uint16_t;
+/// No component of the world.
 inline constexpr ComponentId k_no_component = 0xffff;
 
 namespace detail {
@@ -107,9 +108,9 @@ std::uint32_t type_index() {
 
 /// What storage must know of a component type.
 struct ComponentInfo {
-    std::string_view name;
-    std::uint32_t type_index = 0;
-    std::uint32_t size = 0;  ///< bytes per row; 0 for tags
+    std::string_view name;         ///< see type_name()
+    std::uint32_t type_index = 0;  ///< see type_index()
+    std::uint32_t size = 0;        ///< bytes per row; 0 for tags
     std::uint32_t alignment = 1;
     /// Moves `count` objects to raw memory that does not overlap and ends the sources; null: copy the bytes.
     void (*relocate)(void* to, void* from, std::size_t count) noexcept = nullptr;
@@ -148,6 +149,7 @@ void destroy(void* first, std::size_t count) noexcept {
 
 }  // namespace detail
 
+/// All that is known of C; one object per type.
 template <Component C>
 const ComponentInfo& component_info();
 

@@ -46,6 +46,7 @@ consteval bool asked_row_mask() {
 
 }  // namespace detail
 
+/// Where the values of C live.
 template <class C>
 inline constexpr Storage storage_of = detail::asked_storage<C>();
 /// Whether single rows can be switched off and on without moving.

@@ -37,16 +37,16 @@ enum class FieldKind : std::uint8_t {
 
 /// One value of an enum.
 struct EnumValue {
-    std::string_view name;
-    std::int64_t value = 0;
+    std::string_view name;   ///< as it is shown and read
+    std::int64_t value = 0;  ///< as it is stored
 };
 
 /// What is said of a field beside its name. A unit and a range given for a struct or an array hold for every
 /// number inside.
 struct FieldOptions {
-    std::string_view unit{};  ///< "m", "rad", or empty
-    double min = -std::numeric_limits<double>::infinity();
-    double max = std::numeric_limits<double>::infinity();
+    std::string_view unit{};                                ///< "m", "rad", or empty
+    double min = -std::numeric_limits<double>::infinity();  ///< in that unit, itself allowed
+    double max = std::numeric_limits<double>::infinity();   ///< in that unit, itself allowed
 };
 
 struct StructDescription;
@@ -70,7 +70,7 @@ struct StructDescription {
     std::uint32_t version = 1;  ///< counts up when fields change; see TypeRegistry::migrate
     std::uint32_t size = 0;     ///< bytes in memory; 0 for tags
     bool trivially_copyable = true;
-    std::vector<FieldDescription> fields;
+    std::vector<FieldDescription> fields;  ///< in the order of their description
 
     /// Null if there is no such field.
     [[nodiscard]] const FieldDescription* find(std::string_view field) const;
@@ -97,6 +97,7 @@ void set_field(const FieldDescription& field, void* object, const FieldValue& va
 /// The nested struct that is one element of a field of kind structure.
 [[nodiscard]] const void* nested(const FieldDescription& field, const void* object,
                                  std::uint32_t element = 0);
+/// The same for writing.
 [[nodiscard]] void* nested(const FieldDescription& field, void* object, std::uint32_t element = 0);
 
 }  // namespace rambla::ecs

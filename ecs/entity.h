@@ -10,8 +10,8 @@ namespace rambla::ecs {
 /// Handle of an entity: a slot and how often that slot was used before. Living entities have generations from
 /// 1; generation 0 marks the null entity and the placeholders that Commands hands out.
 struct Entity {
-    std::uint32_t index = 0xffffffffu;
-    std::uint32_t generation = 0;
+    std::uint32_t index = 0xffffffffu;  ///< of the slot
+    std::uint32_t generation = 0;       ///< of its uses
 
     bool operator==(const Entity&) const = default;
 };

@@ -17,7 +17,7 @@ class World;
 /// A chunk's turn in a parallel loop of a system: its place among all jobs of this run of the system. What
 /// jobs record is put into this order afterwards, so it does not matter which thread ran them, or when.
 struct Job {
-    std::uint32_t index = 0;
+    std::uint32_t index = 0;  ///< that place, from 0
     /// Index of the first of those that one thread does in a row: how many are left to chance, but they are
     /// neighbours.
     std::uint32_t run = 0;

@@ -20,10 +20,12 @@ public:
         return *recording;
     }
 
+    /// For the schedule: a new run of the system.
     void begin(detail::SystemContext& context) {
         context_ = &context;
         recordings_.clear();
     }
+    /// For the schedule: see detail::JobLanes.
     void open(std::uint32_t count) override { recordings_.resize(count); }
 
 private:

@@ -9,6 +9,7 @@ namespace rambla::ecs {
 /// there).
 class ReservedMemory {
 public:
+    /// Whether this system has ranges of address space.
     static const bool grows_in_place;
 
     ReservedMemory() = default;
@@ -28,7 +29,9 @@ public:
 
     /// Start of the bytes, aligned to 64; where grows_in_place it stays the same for life.
     [[nodiscard]] std::byte* data() const { return data_; }
+    /// Usable now.
     [[nodiscard]] std::size_t committed_bytes() const { return committed_bytes_; }
+    /// What committed_bytes() may grow to.
     [[nodiscard]] std::size_t reserved_bytes() const { return reserved_bytes_; }
 
 private:

@@ -25,6 +25,7 @@ public:
     /// tbb::global_control, grants fewer, goes on with those after a while.
     /// @param threads  caller included, at least 1; may be more than there are cores
     void resize(std::size_t threads);
+    /// As resize() was asked for, or was granted.
     [[nodiscard]] std::size_t threads() const;
     /// Distinct threads that have run jobs of this team, the start-up job of resize() included.
     [[nodiscard]] std::size_t worker_threads() const;

@@ -18,7 +18,7 @@ enum class OnParentEnd : std::uint8_t {
 /// part of the signature. The null entity as parent means a root. A parent lives in the same world: handles
 /// do not tell worlds apart, so that one of another world is taken for whatever has its number here.
 struct Parent {
-    Entity entity;
+    Entity entity;  ///< the parent
     OnParentEnd on_end = OnParentEnd::destroyed;
 };
 

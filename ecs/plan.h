@@ -15,19 +15,20 @@ struct PlannedWait {
     Conflict conflict;       ///< what both touch; `writes`: whether the earlier one writes it
 };
 
+/// A system in its place.
 struct PlannedSystem {
     std::string name;
-    std::size_t stage = 0;
-    AccessSet access;
+    std::size_t stage = 0;  ///< from 0
+    AccessSet access;       ///< what it declares to touch
     /// Systems of the same stage, without those that other waits imply.
     std::vector<PlannedWait> waits;
 };
 
 /// Two conflicting systems whose order nothing but their place in the program decides.
 struct Ambiguity {
-    std::size_t first = 0;
-    std::size_t second = 0;
-    Conflict conflict;
+    std::size_t first = 0;   ///< index into Plan::systems; runs first
+    std::size_t second = 0;  ///< likewise; runs second
+    Conflict conflict;       ///< what both touch; `writes`: whether the first writes it
 };
 
 /// What a schedule does: systems in the order in which they run on a single thread. With more threads a
@@ -36,7 +37,7 @@ struct Ambiguity {
 struct Plan {
     std::vector<PlannedSystem> systems;
     std::size_t stage_count = 0;
-    std::vector<Ambiguity> ambiguities;
+    std::vector<Ambiguity> ambiguities;  ///< those of the earliest systems first
 };
 
 /// For people: a line per system, what it waits for below it, ambiguities last.

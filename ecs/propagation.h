@@ -75,6 +75,7 @@ public:
         changes_.finish(world, info<Local>(), outputs_);
     }
 
+    /// Memory held.
     [[nodiscard]] std::size_t memory_bytes() const {
         return changes_.memory_bytes() + tables_.capacity() * sizeof(Table) +
                outside_.capacity() * sizeof(Result);

@@ -65,7 +65,7 @@ struct NoRows {};
 template <class ChunkType>
 struct QueryMatch {
     Archetype* archetype;
-    typename ChunkType::Columns columns;
+    typename ChunkType::Columns columns;  ///< one per term that hands something out
 };
 
 /// The chunks of a query, for one walk over them: archetypes in the order of their birth, chunks by rows.
@@ -129,7 +129,9 @@ public:
         [[no_unique_address]] std::conditional_t<Filters::k_rows, RowMask, detail::NoRows> rows_;
     };
 
+    /// Each walk begins anew; a chunk is valid as long as the range.
     [[nodiscard]] Iterator begin() const { return {first_, last_, walk_}; }
+    /// Where all chunks are done.
     [[nodiscard]] std::default_sentinel_t end() const { return {}; }
 
 private:
@@ -163,6 +165,7 @@ public:
                            typename detail::HandedOut<FilteredChunk, std::tuple<>, Terms...>::Type,
                            typename detail::HandedOut<Chunk, std::tuple<>, Terms...>::Type>;
     using Range = ChunkRange<ChunkType, Filters>;
+    /// Whether nothing is handed out for writing: then a const World will do.
     static constexpr bool k_read_only = !(detail::Term<Terms>::writes || ...);
     /// With Changed terms, walks need to know since when.
     static constexpr bool k_asks_changes = Filters::k_chunks;
@@ -202,7 +205,7 @@ public:
             chunk.each(f);
     }
 
-    /// Number of matching entities.
+    /// Number of matching entities. Hands nothing out, so nothing counts as written.
     [[nodiscard]] std::size_t count(const World& world) requires(!k_asks_changes) {
         return count_rows(world, {});
     }

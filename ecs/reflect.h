@@ -33,6 +33,7 @@ namespace rambla::ecs {
 template <class T>
 struct reflection {};
 
+/// What is described: has a specialisation of reflection.
 template <class T>
 concept Reflected = requires {
     reflection<T>::value;
@@ -56,9 +57,9 @@ struct ElementsField {
 /// Description of a struct as the specialisation builds it, field by field.
 template <class Struct, class... Fields>
 struct StructReflection {
-    std::string_view name;
-    std::uint32_t version;
-    std::tuple<Fields...> fields;
+    std::string_view name;         ///< in snapshots
+    std::uint32_t version;         ///< see TypeRegistry::migrate
+    std::tuple<Fields...> fields;  ///< in the order of their description
 
     /// @param field_name  unique in the struct; what snapshots match fields by
     template <class Member>

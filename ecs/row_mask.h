@@ -13,7 +13,9 @@ namespace rambla::ecs {
 /// A set of rows of one chunk: one bit per row, 1024 in all.
 class RowMask {
 public:
+    /// Words of 64 rows.
     static constexpr std::size_t k_words = 16;
+    /// Rows of a chunk.
     static constexpr std::size_t k_rows = k_words * 64;
 
     /// The rows before `count`, at most 1024.
@@ -44,15 +46,20 @@ public:
         return zeros;
     }
 
+    /// Whether a row, below 1024, is in the set.
     [[nodiscard]] constexpr bool test(std::size_t row) const {
         return (words_[row / 64] >> (row % 64) & 1u) != 0;
     }
+    /// Puts a row in.
     constexpr void set(std::size_t row) { words_[row / 64] |= std::uint64_t{1} << (row % 64); }
+    /// Takes a row out.
     constexpr void reset(std::size_t row) { words_[row / 64] &= ~(std::uint64_t{1} << (row % 64)); }
 
+    /// Whether a row is in the set.
     [[nodiscard]] constexpr bool any() const {
         return std::ranges::any_of(words_, [](std::uint64_t word) { return word != 0; });
     }
+    /// Number of rows in the set.
     [[nodiscard]] constexpr std::size_t count() const {
         std::size_t rows = 0;
         for (std::uint64_t word : words_)
@@ -62,11 +69,13 @@ public:
     /// Row r is bit r % 64 of word r / 64.
     [[nodiscard]] constexpr const std::array<std::uint64_t, k_words>& words() const { return words_; }
 
+    /// Keeps the rows that are in both.
     constexpr RowMask& operator&=(const RowMask& other) {
         for (std::size_t i = 0; i < k_words; ++i)
             words_[i] &= other.words_[i];
         return *this;
     }
+    /// Adds the other's rows.
     constexpr RowMask& operator|=(const RowMask& other) {
         for (std::size_t i = 0; i < k_words; ++i)
             words_[i] |= other.words_[i];
@@ -121,7 +130,9 @@ public:
         std::size_t word_ = 0;
         std::uint64_t left_;
     };
+    /// The first row in the set.
     [[nodiscard]] constexpr Iterator begin() const { return Iterator{*this}; }
+    /// Behind the last one.
     [[nodiscard]] constexpr std::default_sentinel_t end() const { return {}; }
 
     /// Calls f(row) for every row in the set, ascending. Faster than begin() where most rows are in.

@@ -16,8 +16,11 @@ public:
           found_{found},
           expected_{expected} {}
 
+    /// Where, in bytes from the beginning; 0 for what the stream says as a whole.
     [[nodiscard]] std::uint64_t offset() const { return offset_; }
+    /// What stands there.
     [[nodiscard]] const std::string& found() const { return found_; }
+    /// What should.
     [[nodiscard]] const std::string& expected() const { return expected_; }
 
 private:

@@ -16,7 +16,7 @@ namespace rambla::ecs {
 struct StoredField {
     std::string path;
     FieldKind kind = FieldKind::float32;
-    std::uint32_t count = 1;
+    std::uint32_t count = 1;  ///< elements of an array, else 1
 
     bool operator==(const StoredField&) const = default;
 };
@@ -43,13 +43,17 @@ public:
     /// @param row  validated bytes
     StoredRow(const StoredSchema& schema, const std::byte* row) : schema_{&schema}, row_{row} {}
 
+    /// Of the type, when the object was stored.
     [[nodiscard]] std::uint32_t version() const { return schema_->version; }
+    /// Whether there is a field with this path: "place.local_m.x".
     [[nodiscard]] bool has(std::string_view path) const;
     /// Any number, enum or bool.
     [[nodiscard]] double number(std::string_view path, std::uint32_t element = 0) const;
     /// Any integer, enum or bool, exactly; above 2⁶³ it wraps around.
     [[nodiscard]] std::int64_t integer(std::string_view path, std::uint32_t element = 0) const;
+    /// A handle, as it was in the world that was saved.
     [[nodiscard]] Entity entity(std::string_view path, std::uint32_t element = 0) const;
+    /// A text. Valid as long as the stream.
     [[nodiscard]] std::string_view text(std::string_view path, std::uint32_t element = 0) const;
 
 private:

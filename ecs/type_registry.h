@@ -19,9 +19,9 @@ namespace rambla::ecs {
 
 /// A component type as snapshots and inspectors know it.
 struct ComponentType {
-    std::string_view name;
+    std::string_view name;                           ///< in snapshots
     const StructDescription* description = nullptr;  ///< null for transient ones
-    const ComponentInfo* info = nullptr;
+    const ComponentInfo* info = nullptr;             ///< how worlds store it
     /// Makes default values in raw memory; null for tags.
     void (*construct)(void* first, std::size_t count) = nullptr;
 
@@ -34,8 +34,8 @@ struct ResourceType {
     using Value = std::unique_ptr<void, void (*)(void*)>;
 
     const StructDescription* description = nullptr;
-    void* (*find)(const Resources& resources) = nullptr;
-    Value (*make)() = nullptr;  ///< a default one
+    void* (*find)(const Resources& resources) = nullptr;  ///< null where there is none
+    Value (*make)() = nullptr;                            ///< a default one
     /// Moves the value into the world's resource, which cannot fail if the world has one already.
     void (*set)(Resources& resources, void* value) = nullptr;
 };
@@ -78,12 +78,17 @@ public:
         };
     }
 
+    /// In the order in which they were added.
     [[nodiscard]] const std::vector<ComponentType>& components() const { return components_; }
+    /// In the order in which they were added.
     [[nodiscard]] const std::vector<ResourceType>& resources() const { return resources_; }
     /// Null where there is none.
     [[nodiscard]] const ComponentType* component(std::string_view name) const;
+    /// By type instead of name; null where there is none.
     [[nodiscard]] const ComponentType* component(const ComponentInfo& info) const;
+    /// Null where there is none.
     [[nodiscard]] const ResourceType* resource(std::string_view name) const;
+    /// How to read version `from` of a type; null if by names.
     [[nodiscard]] const Migration* migration(std::string_view name, std::uint32_t from) const;
 
 private:

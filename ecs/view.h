@@ -27,6 +27,7 @@ class View {
 public:
     using ChunkType = typename Query<Terms...>::ChunkType;
 
+    /// What the schedule keeps for it from run to run.
     struct State {
         Query<Terms...> query;
         std::vector<ChunkType> chunks;
@@ -51,6 +52,7 @@ public:
         for (const auto& chunk : chunks())
             chunk.each(f);
     }
+    /// Number of matching entities; see Query::count.
     [[nodiscard]] std::size_t count() const {
         if constexpr (Query<Terms...>::k_asks_changes) {
             return state_->query.count(*context_->world, state_->since);
@@ -104,6 +106,7 @@ class Lookup {
 public:
     explicit Lookup(const World& world) : world_{&world} {}
 
+    /// See World::alive.
     [[nodiscard]] bool alive(Entity entity) const { return world_->alive(entity); }
     /// See World::get.
     template <class C>

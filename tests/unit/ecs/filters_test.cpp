@@ -253,5 +253,24 @@ TEST(ChangedTerm, KnowsWhatWasNeverWrittenLateInTheCount) {
     EXPECT_EQ((Query<Changed<Position>>{}.count(world, {seen - 1})), 1u);
 }
 
+TEST(ChangedTerm, SinceNothingMeansVersion0WhichIsBeforeAllForHalfTheCount) {
+    const auto written = [](const World& world, Since since) {
+        return Query<Changed<Position>>{}.count(world, since);
+    };
+    World young;
+    young.create(Position{});
+    EXPECT_EQ(written(young, Since{}), 1u) << "a new world begins with version 1";
+    EXPECT_EQ(written(young, Since{young.advance_version()}), 0u);
+    EXPECT_EQ(written(young, Since{}), 1u);
+    World last{{.first_version = 0x7fff'ffffu}};
+    last.create(Position{});
+    EXPECT_EQ(written(last, Since{}), 1u);
+    World late{{.first_version = 0x8000'0001u}};
+    late.create(Position{});
+    EXPECT_EQ(written(late, Since{}), 0u) << "version 0 is yet to come";
+    for (const World* world : {&young, &last, &late})
+        EXPECT_EQ(written(*world, Since{world->version() - k_before_all_versions}), 1u);
+}
+
 }  // namespace
 }  // namespace rambla::ecs
