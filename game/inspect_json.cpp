@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "assets/mesh_columns.h"
 #include "assets/scene.h"
 #include "game/inspect_surface.h"
 
@@ -33,10 +34,8 @@ std::uint64_t bytes_of(const std::vector<T>&... columns) {
 }
 
 std::uint64_t bytes_of(const Mesh& mesh) {
-    std::uint64_t bytes = bytes_of(mesh.positions, mesh.normals, mesh.tangents, mesh.uv0, mesh.uv1,
-                                   mesh.colours, mesh.joints, mesh.weights, mesh.indices);
-    for (const MorphTarget& target : mesh.morphs)
-        bytes += bytes_of(target.positions, target.normals, target.tangents);
+    std::uint64_t bytes = bytes_of(mesh.indices);
+    for_each_column(mesh, [&](const auto& column) { bytes += bytes_of(column); });
     return bytes;
 }
 

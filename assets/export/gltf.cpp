@@ -1,11 +1,13 @@
 #include "assets/export/gltf.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "assets/error.h"
+#include "assets/export/gltf_animation.h"
+#include "assets/export/gltf_buffer.h"
 #include "assets/export/gltf_geometry.h"
 #include "assets/export/gltf_material.h"
+#include "assets/export/gltf_view.h"
 #include "assets/export/image.h"
 #include "assets/import/gltf_container.h"
 
@@ -19,42 +21,6 @@ Json floats(glm::vec3 v) {
     return Json::array({v.x, v.y, v.z});
 }
 
-Json camera_json(const Camera& camera) {
-    Json out;
-    if (!camera.name.empty()) out["name"] = camera.name;
-    if (camera.kind == CameraKind::perspective) {
-        out["type"] = "perspective";
-        out["perspective"] = {{"yfov", camera.vertical_fov_rad}, {"znear", camera.near_m}};
-    } else {
-        out["type"] = "orthographic";
-        out["orthographic"] = {{"xmag", camera.half_width_m},
-                               {"ymag", camera.half_height_m},
-                               {"znear", camera.near_m},
-                               {"zfar", camera.far_m}};
-    }
-    return out;
-}
-
-Json light_json(const Light& light) {
-    Json out{{"color", floats(light.colour)}, {"intensity", light.intensity}};
-    if (!light.name.empty()) out["name"] = light.name;
-    if (light.range_m > 0.0f && light.kind != LightKind::directional) out["range"] = light.range_m;
-    switch (light.kind) {
-        case LightKind::directional:
-            out["type"] = "directional";
-            break;
-        case LightKind::point:
-            out["type"] = "point";
-            break;
-        case LightKind::spot:
-            out["type"] = "spot";
-            out["spot"] = {{"innerConeAngle", light.inner_cone_rad},
-                           {"outerConeAngle", light.outer_cone_rad}};
-            break;
-    }
-    return out;
-}
-
 /// Collects the document, then writes it as one GLB.
 class SceneExport {
 public:
@@ -65,49 +31,59 @@ public:
         export_images();
         document_.update(materials_json(scene_, extensions_));
         export_models();
-        for (const Camera& camera : scene_.cameras)
-            document_["cameras"].push_back(camera_json(camera));
-        for (const Light& light : scene_.lights)
-            document_["extensions"]["KHR_lights_punctual"]["lights"].push_back(light_json(light));
-        if (!scene_.lights.empty()) extensions_.insert("KHR_lights_punctual");
+        export_skeletons();
+        document_.update(views_json(scene_, extensions_));
         for (const Node& node : scene_.nodes)
             document_["nodes"].push_back(node_json(node));
+        export_clips();
         export_scenes();
-        geometry_.finish(document_);
+        buffer_.finish(document_);
         if (!extensions_.empty()) document_["extensionsUsed"] = extensions_;
         return gltf::join_container(document_.dump(-1, ' ', false, Json::error_handler_t::replace),
-                                    geometry_.bytes());
+                                    buffer_.bytes());
     }
 
 private:
     void export_images() {
         for (const Image& image : scene_.images) {
-            Json out{{"bufferView", geometry_.add_bytes(encode_png(image))}, {"mimeType", "image/png"}};
+            Json out{{"bufferView", buffer_.add_bytes(encode_png(image))}, {"mimeType", "image/png"}};
             if (!image.name.empty()) out["name"] = image.name;
             document_["images"].push_back(std::move(out));
         }
     }
 
-    /// glTF has no meshes without primitives: models that show nothing get no mesh.
     void export_models() {
-        for (const Model& model : scene_.models) {
-            Json primitives = Json::array();
-            for (const ModelPart& part : model.parts) {
-                const Mesh& mesh = scene_.meshes[part.mesh];
-                if (mesh.positions.empty() || mesh.indices.empty()) continue;
-                Json primitive = geometry_.primitive(mesh, part.mesh);
-                if (part.material != k_none) primitive["material"] = part.material;
-                primitives.push_back(std::move(primitive));
-            }
-            mesh_of_model_.push_back(primitives.empty() ? k_none : mesh_count_++);
-            if (primitives.empty()) continue;
-            Json mesh{{"primitives", std::move(primitives)}};
-            if (!model.name.empty()) mesh["name"] = model.name;
-            document_["meshes"].push_back(std::move(mesh));
-        }
+        GltfGeometry geometry{scene_, buffer_};
+        for (const Model& model : scene_.models)
+            mesh_of_model_.push_back(append("meshes", geometry.mesh_of(model)));
     }
 
-    Json node_json(const Node& node) const {
+    void export_skeletons() {
+        for (const Skeleton& skeleton : scene_.skeletons)
+            skin_of_skeleton_.push_back(
+                append("skins", skeleton.joints.empty() ? Json{} : animation_.skin_of(skeleton)));
+    }
+
+    void export_clips() {
+        std::vector<bool> has_mesh;
+        for (const Node& node : scene_.nodes)
+            has_mesh.push_back(mesh_of(node) != k_none);
+        for (const Clip& clip : scene_.clips)
+            append("animations", animation_.animation_of(clip, has_mesh));
+    }
+
+    /// @return  index of the element in the document's array, k_none for null, which is left out
+    std::uint32_t append(const char* array, Json element) {
+        if (element.is_null()) return k_none;
+        document_[array].push_back(std::move(element));
+        return static_cast<std::uint32_t>(document_[array].size() - 1);
+    }
+
+    std::uint32_t mesh_of(const Node& node) const {
+        return node.model == k_none ? k_none : mesh_of_model_[node.model];
+    }
+
+    Json node_json(const Node& node) {
         Json out = Json::object();
         if (!node.name.empty()) out["name"] = node.name;
         const Transform& local = node.local;
@@ -117,21 +93,34 @@ private:
             out["rotation"] = {local.rotation.x, local.rotation.y, local.rotation.z, local.rotation.w};
         if (local.scale != identity.scale) out["scale"] = floats(local.scale);
         if (!node.children.empty()) out["children"] = node.children;
-        if (node.model != k_none && mesh_of_model_[node.model] != k_none)
-            out["mesh"] = mesh_of_model_[node.model];
+        if (const std::uint32_t mesh = mesh_of(node); mesh != k_none) {
+            out["mesh"] = mesh;
+            if (!node.morph_weights.empty()) out["weights"] = node.morph_weights;
+            if (node.skeleton != k_none && skin_of_skeleton_[node.skeleton] != k_none)
+                out["skin"] = skin_of_skeleton_[node.skeleton];
+        }
         if (node.camera != k_none) out["camera"] = node.camera;
         if (node.light != k_none) out["extensions"]["KHR_lights_punctual"]["light"] = node.light;
+        if (!node.coarser.empty()) {
+            extensions_.insert("MSFT_lod");
+            out["extensions"]["MSFT_lod"]["ids"] = node.coarser;
+            if (!node.screen_coverage.empty()) out["extras"]["MSFT_screencoverage"] = node.screen_coverage;
+        }
         return out;
     }
 
     void export_scenes() {
+        // Coarser levels stand in no scene: whoever ignores the extension would show them all at once.
+        std::vector<bool> placed(scene_.nodes.size(), false);
+        for (const std::uint32_t root : scene_.roots)
+            placed[root] = true;
+        for (const Node& node : scene_.nodes)
+            for (const std::uint32_t level : node.coarser)
+                placed[level] = true;
         std::vector<std::uint32_t> prototypes;
-        for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
-            const auto node = static_cast<std::uint32_t>(i);
-            const bool is_root =
-                std::find(scene_.roots.begin(), scene_.roots.end(), node) != scene_.roots.end();
-            if (scene_.nodes[i].parent == k_none && !is_root) prototypes.push_back(node);
-        }
+        for (std::size_t i = 0; i < scene_.nodes.size(); ++i)
+            if (scene_.nodes[i].parent == k_none && !placed[i])
+                prototypes.push_back(static_cast<std::uint32_t>(i));
         document_["scene"] = 0;
         Json shown = Json::object();
         if (!scene_.name.empty()) shown["name"] = scene_.name;
@@ -144,9 +133,10 @@ private:
     const Scene& scene_;
     Json document_;
     std::set<std::string> extensions_;
-    GltfGeometry geometry_;
+    GltfBuffer buffer_;
+    GltfAnimation animation_{buffer_};
     std::vector<std::uint32_t> mesh_of_model_;
-    std::uint32_t mesh_count_ = 0;
+    std::vector<std::uint32_t> skin_of_skeleton_;
 };
 
 }  // namespace

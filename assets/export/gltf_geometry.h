@@ -1,40 +1,35 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <span>
-#include <vector>
+#include <utility>
 
-#include "assets/mesh.h"
+#include "assets/export/gltf_buffer.h"
+#include "assets/scene.h"
 
 namespace rambla::assets {
 
-/// The binary part of a glTF document under construction, with its buffer views and accessors.
+/// Writes the geometry of a scene into a glTF buffer, each mesh once.
 class GltfGeometry {
 public:
-    /// A buffer view of `bytes`, 4-byte aligned. @return its index
-    std::size_t add_bytes(std::span<const std::byte> bytes);
+    GltfGeometry(const Scene& scene, GltfBuffer& buffer) : scene_{scene}, buffer_{buffer} {}
 
-    /// The primitive of a mesh, without its material; a mesh asked for again gets the same accessors.
-    /// @param key  what identifies the mesh
-    [[nodiscard]] nlohmann::json primitive(const Mesh& mesh, std::uint32_t key);
-
-    /// Adds accessors, buffer views and the buffer to the document.
-    void finish(nlohmann::json& document) const;
-
-    [[nodiscard]] std::span<const unsigned char> bytes() const { return bytes_; }
+    /// What a model shows as a mesh of glTF; null for one without triangles, lines or points, which glTF does
+    /// not have.
+    [[nodiscard]] nlohmann::json mesh_of(const Model& model);
 
 private:
-    std::size_t add_view(std::span<const std::byte> bytes, int target);
-    template <class Vector>
-    std::size_t add_vectors(const std::vector<Vector>& values);
+    nlohmann::json primitive(std::uint32_t mesh, std::size_t morphs);
+    nlohmann::json attributes(const Mesh& mesh);
+    nlohmann::json morph_target(const Mesh& mesh, std::size_t index);
+    std::size_t add_positions(const std::vector<glm::vec3>& positions);
+    std::size_t add_joints(const Mesh& mesh);
     std::size_t add_indices(const Mesh& mesh);
 
-    std::vector<unsigned char> bytes_;
-    nlohmann::json views_ = nlohmann::json::array();
-    nlohmann::json accessors_ = nlohmann::json::array();
-    std::map<std::uint32_t, nlohmann::json> primitives_;
+    const Scene& scene_;
+    GltfBuffer& buffer_;
+    std::map<std::pair<std::uint32_t, std::size_t>, nlohmann::json> primitives_;  ///< by mesh and morphs
 };
 
 }  // namespace rambla::assets

@@ -1,6 +1,7 @@
 #include "assets/export/gltf_material.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rambla::assets {
 
@@ -59,6 +60,7 @@ public:
             out["occlusionTexture"]["strength"] = material_.occlusion_strength;
         }
         add_emission(out);
+        add_dielectric(out);
         if (material_.unlit) use(out, "KHR_materials_unlit") = Json::object();
         return out;
     }
@@ -97,10 +99,35 @@ private:
         if (material_.emissive_texture.texture != k_none)
             out["emissiveTexture"] = slot(material_.emissive_texture);
         const glm::vec3 radiance = material_.emissive;
-        const float strength = std::max({radiance.x, radiance.y, radiance.z, 1.0f});
+        const float strength = power_of_two_above(radiance);
         const glm::vec3 factor = radiance / strength;
         if (radiance != glm::vec3{0.0f}) out["emissiveFactor"] = {factor.x, factor.y, factor.z};
         if (strength > 1.0f) use(out, "KHR_materials_emissive_strength")["emissiveStrength"] = strength;
+    }
+
+    void add_dielectric(Json& out) {
+        const Material usual;
+        if (material_.ior != usual.ior) use(out, "KHR_materials_ior")["ior"] = material_.ior;
+        const bool has_texture = material_.specular_texture.texture != k_none ||
+                                 material_.specular_colour_texture.texture != k_none;
+        if (has_texture || material_.specular != usual.specular ||
+            material_.specular_colour != usual.specular_colour) {
+            const glm::vec3 colour = material_.specular_colour;
+            Json& specular = use(out, "KHR_materials_specular");
+            specular = {{"specularFactor", material_.specular},
+                        {"specularColorFactor", {colour.x, colour.y, colour.z}}};
+            if (material_.specular_texture.texture != k_none)
+                specular["specularTexture"] = slot(material_.specular_texture);
+            if (material_.specular_colour_texture.texture != k_none)
+                specular["specularColorTexture"] = slot(material_.specular_colour_texture);
+        }
+        const bool transmits =
+            material_.transmission > 0.0f || material_.transmission_texture.texture != k_none;
+        if (!transmits) return;
+        Json& transmission = use(out, "KHR_materials_transmission");
+        transmission["transmissionFactor"] = material_.transmission;
+        if (material_.transmission_texture.texture != k_none)
+            transmission["transmissionTexture"] = slot(material_.transmission_texture);
     }
 
     const Material& material_;
@@ -108,6 +135,12 @@ private:
 };
 
 }  // namespace
+
+float power_of_two_above(glm::vec3 v) {
+    int exponent = 0;
+    const bool is_power = std::frexp(std::max({v.x, v.y, v.z, 1.0f}), &exponent) == 0.5f;
+    return std::ldexp(1.0f, is_power ? exponent - 1 : exponent);
+}
 
 Json materials_json(const Scene& scene, std::set<std::string>& extensions) {
     Json out = Json::object();
