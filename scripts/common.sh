@@ -5,15 +5,21 @@ export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-$root/build/mesa-shader-c
 
 say() { printf '\033[1m%s\033[0m\n' "== $*" >&2; }
 
-# Installs the packages of scripts/packages.txt that are missing; without root and sudo it names them and ends with 3.
+# Installs the packages of scripts/packages.txt that are missing.
 install_packages() {
-    local wanted missing=() package
+    local wanted
     mapfile -t wanted < <(grep -Ev '^[[:space:]]*(#|$)' "$root/scripts/packages.txt")
+    install_missing "${wanted[@]}"
+}
+
+# install_missing PACKAGE...: installs those that are missing; without root and sudo it names them and ends with 3.
+install_missing() {
+    local missing=() package
     if ! command -v dpkg-query >/dev/null; then
-        say "Not a Debian system: install what corresponds to scripts/packages.txt (${wanted[*]})"
+        say "Not a Debian system: install what corresponds to these packages: $*"
         return
     fi
-    for package in "${wanted[@]}"; do
+    for package in "$@"; do
         dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
     done
     [ ${#missing[@]} -eq 0 ] && return

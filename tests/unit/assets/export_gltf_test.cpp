@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "assets/export/gltf_buffer.h"
+#include "assets/export/gltf_geometry.h"
 #include "assets/import/gltf_facts.h"
 #include "import_support.h"
 #include "scene_equality.h"
@@ -48,18 +50,18 @@ void expect_all_come_back(const std::filesystem::path& folder, std::size_t expec
     EXPECT_EQ(files, expected);
 }
 
-TEST(GltfExport, ImportedModelsComeBackEqual) {
-    const std::filesystem::path folder = corpus("GltfExport.ImportedModelsComeBackEqual: 47 files");
+TEST(GltfCorpusExport, ModelsComeBackEqual) {
+    const std::filesystem::path folder = corpus("GltfCorpusExport.ModelsComeBackEqual: 47 files");
     if (!folder.empty()) expect_all_come_back(folder / "models", 47);
 }
 
-TEST(GltfExport, ImportedCharactersComeBackEqual) {
-    const std::filesystem::path folder = corpus("GltfExport.ImportedCharactersComeBackEqual: 2 files");
+TEST(GltfCorpusExport, CharactersComeBackEqual) {
+    const std::filesystem::path folder = corpus("GltfCorpusExport.CharactersComeBackEqual: 2 files");
     if (!folder.empty()) expect_all_come_back(folder / "characters", 2);
 }
 
-TEST(GltfExport, ImportedScenesComeBackEqual) {
-    const std::filesystem::path folder = corpus("GltfExport.ImportedScenesComeBackEqual: 45 files");
+TEST(GltfCorpusExport, ScenesComeBackEqual) {
+    const std::filesystem::path folder = corpus("GltfCorpusExport.ScenesComeBackEqual: 45 files");
     if (!folder.empty()) expect_all_come_back(folder / "scenes", 45);
 }
 
@@ -74,6 +76,24 @@ TEST(GltfExport, ModelsOfDifferentMorphTargetsGetThoseThatTheyLack) {
     ASSERT_EQ(completed.morphs.size(), 2u);
     EXPECT_EQ(completed.morphs[1].positions, std::vector<glm::vec3>(vertices, glm::vec3{0.0f}));
     EXPECT_EQ(back.models[0].morph_weights, scene.models[0].morph_weights);
+}
+
+/// glTF 2.0, section 3.7.3.3; the importer would not tell.
+TEST(GltfExport, JointsWithoutWeightAreZero) {
+    Scene scene = moving_scene();
+    scene.meshes[0].joints[0] = {1, 0, 1, 1};
+    scene.meshes[0].weights[0] = {0.75f, 0.25f, 0.0f, 0.0f};
+    GltfBuffer buffer;
+    const nlohmann::json mesh = GltfGeometry{scene, buffer}.mesh_of(scene.models[0]);
+    nlohmann::json document;
+    buffer.finish(document);
+    const nlohmann::json& accessor =
+        document["accessors"][mesh["primitives"][0]["attributes"]["JOINTS_0"].get<std::size_t>()];
+    const std::size_t offset =
+        document["bufferViews"][accessor["bufferView"].get<std::size_t>()]["byteOffset"];
+    glm::u16vec4 first{9};
+    std::memcpy(&first, buffer.bytes().data() + offset, sizeof first);
+    EXPECT_EQ(first, glm::u16vec4(1, 0, 0, 0));
 }
 
 TEST(GltfExport, ColoursAboveOneBecomeIntensity) {

@@ -54,8 +54,9 @@ TEST(GltfFacts, TellWhatTheDocumentSaysAndWhereItsPicturesAre) {
     EXPECT_EQ(facts.images[2].source, "placeholder");
 }
 
-TEST(GltfFacts, ComeWithTheSceneThatTheImporterReturns) {
-    const std::filesystem::path folder = corpus("GltfFacts.ComeWithTheSceneThatTheImporterReturns: 1 file");
+TEST(GltfCorpusFacts, ComeWithTheSceneThatTheImporterReturns) {
+    const std::filesystem::path folder =
+        corpus("GltfCorpusFacts.ComeWithTheSceneThatTheImporterReturns: 1 file");
     if (folder.empty()) return;
     const auto file = folder / "models/FlightHelmet/glTF-512px/FlightHelmet.gltf";
     const Scene plain = import_gltf(file);
