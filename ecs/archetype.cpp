@@ -49,6 +49,8 @@ Archetype::Archetype(ArchetypeStorage& storage, std::uint32_t index, std::vector
             row_changes_.emplace_back();
         }
         ends_quietly_ = ends_quietly_ && infos[i]->destroy == nullptr;
+        is_plain_ = is_plain_ && ends_quietly_ && columns_.back().moves_by_bytes &&
+                    infos[i]->size <= detail::k_few_bytes;
         has_companions_ = has_companions_ || infos[i]->is_companion;
     }
     columns_.shrink_to_fit();

@@ -28,20 +28,28 @@ void World::destroy(Entity entity) {
     detail::IterationMark::forbid(*this, "destroy");
     const EntityRecord* record = entities_.find(entity);
     if (record == nullptr) detail::throw_not_alive("destroy", {}, entity);
-    if (observers_ != nullptr && observers_->watches_end(graph_[record->archetype])) [[unlikely]]
-        return destroy_observed(entity);
-    end(entity, *record);
+    Archetype& archetype = graph_[record->archetype];
+    const bool may_be_watched = observers_ != nullptr && archetype.watched().end;
+    if (!archetype.is_plain() || may_be_watched || !graph_.sparse().all().empty()) [[unlikely]]
+        return destroy_any(entity);
+    const std::uint32_t row = record->row;
+    const Entity moved = archetype.erase_plain(row, version_);
+    if (moved != Entity{}) entities_[moved.index].row = row;
+    entities_.give_back(entity.index);
 }
 
-void World::destroy_observed(Entity entity) {
+void World::destroy_any(Entity entity) {
+    if (observers_ == nullptr || !observers_->watches_end(graph_[entities_[entity.index].archetype]))
+        return end(entity);
     observers_->begin();
     observers_->note_end(entity);
     observers_->before_change();
-    end(entity, entities_[entity.index]);
+    end(entity);
     observers_->settle();
 }
 
-void World::end(Entity entity, const EntityRecord& record) noexcept {
+void World::end(Entity entity) noexcept {
+    const EntityRecord& record = entities_[entity.index];
     const std::uint32_t row = record.row;
     const Entity moved = graph_[record.archetype].erase(row, version_);
     if (moved != Entity{}) entities_[moved.index].row = row;

@@ -216,8 +216,9 @@ private:
         return {entity, archetype.push(entity, version_)};
     }
     /// Ends a living entity, which no observer is told.
-    void end(Entity entity, const EntityRecord& record) noexcept;
-    void destroy_observed(Entity entity);
+    void end(Entity entity) noexcept;
+    /// Ends a living entity of whatever components, and tells observers.
+    void destroy_any(Entity entity);
     void announce_new(Entity entity, Archetype& archetype, bool has_sparse);
     /// Where to construct the component: raw memory, null for tags. Moves the entity, or ends the old value.
     void* slot_for(Entity entity, const ComponentInfo& info);
@@ -333,7 +334,7 @@ requires(sizeof...(Cs) > 0) Entity World::create(Cs... values) {
         try {
             (construct_sparse(created.entity, values), ...);
         } catch (...) {
-            end(created.entity, entities_[created.entity.index]);
+            end(created.entity);
             throw;
         }
     }

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +19,54 @@ namespace rambla::ecs {
 namespace {
 
 using namespace test;
+
+/// All bytes tell which entity they belong to.
+template <std::size_t Size>
+struct Bytes {
+    explicit Bytes(int number) {
+        for (std::size_t i = 0; i < Size; ++i)
+            values[i] = static_cast<std::uint8_t>(number * 7 + static_cast<int>(i));
+    }
+    bool operator==(const Bytes&) const = default;
+
+    std::array<std::uint8_t, Size> values;
+};
+
+template <std::size_t Size>
+void expect_bytes(World& world, Entity entity, int number) {
+    EXPECT_EQ(world.get<Bytes<Size>>(entity), Bytes<Size>{number}) << "of " << Size;
+}
+
+template <std::size_t... Sizes>
+void expect_destroy_keeps_bytes() {
+    World world;
+    std::vector<Entity> entities;
+    for (int i = 0; i < 10; ++i)
+        entities.push_back(world.create(Bytes<Sizes>{i}...));
+    for (int i : {0, 9, 4, 5})
+        world.destroy(entities[static_cast<std::size_t>(i)]);
+    for (int i : {1, 2, 3, 6, 7, 8})
+        (expect_bytes<Sizes>(world, entities[static_cast<std::size_t>(i)], i), ...);
+}
+
+/// Knows where it is, and has nothing to end.
+struct Selfish {
+    Selfish() = default;
+    Selfish(Selfish&&) noexcept {}
+
+    const Selfish* self = this;
+};
+/// Has something to end, and moves by its bytes.
+struct Keeper {
+    std::shared_ptr<int> kept;
+};
+
+}  // namespace
+
+template <>
+struct is_relocatable<Keeper> : std::true_type {};
+
+namespace {
 
 template <class Error, class F>
 std::string message_of(F&& f) {
@@ -82,6 +133,30 @@ TEST(World, DestroyKeepsTheOthersReachable) {
         EXPECT_TRUE(world.get<Anchored>(entity).intact());
     }
     EXPECT_EQ(Anchored::alive, 6);
+}
+
+TEST(World, DestroyKeepsEveryByteOfTheOthersWhateverTheSizes) {
+    expect_destroy_keeps_bytes<1, 2, 3, 4, 5, 7, 8, 9, 12, 15, 16, 17, 24, 31, 32>();
+    expect_destroy_keeps_bytes<12, 33, 64, 100>();
+}
+
+TEST(World, DestroyMovesTheLastRowAsItsTypeWants) {
+    World world;
+    const Entity first = world.create(Selfish{});
+    const Entity last = world.create(Selfish{});
+    world.destroy(first);
+    EXPECT_EQ(world.get<Selfish>(last).self, &world.get<Selfish>(last));
+}
+
+TEST(World, DestroyEndsWhatMovesByItsBytes) {
+    World world;
+    const auto shared = std::make_shared<int>(0);
+    const Entity first = world.create(Keeper{shared});
+    const Entity last = world.create(Keeper{shared});
+    world.destroy(first);
+    EXPECT_EQ(shared.use_count(), 2);
+    world.destroy(last);
+    EXPECT_EQ(shared.use_count(), 1);
 }
 
 TEST(World, EndsAllComponentsWithItself) {
