@@ -13,12 +13,9 @@ constexpr std::size_t k_ahead = 32;
 }  // namespace
 
 bool AlikeMoves::play(ArchetypeGraph& graph, const BulkRows& bulk, std::span<const Command> commands) {
-    if (commands.size() < k_fewest) return false;
     const CommandType& type = *commands[0].type;
     const bool adds = type.kind == CommandKind::add;
     if ((!adds && type.kind != CommandKind::remove) || type.beside_columns || type.holds_entities)
-        return false;
-    if (!std::ranges::all_of(commands, [&](const Command& command) { return command.type == &type; }))
         return false;
     const EntityRecord* first = bulk.entities.find(commands[0].entity);
     if (first == nullptr) return false;
@@ -28,13 +25,15 @@ bool AlikeMoves::play(ArchetypeGraph& graph, const BulkRows& bulk, std::span<con
 
     Archetype& to = graph.toggled(from, component);
     const std::uint32_t first_row = to.rows();
-    if (!reserve(to, commands.size()) || !send_records(from, to, bulk.entities, commands)) return false;
-    sort();
-    bulk.send(from, rows_, places_, to, fillers_);
-    const ColumnIndex column = to.column_of(component);
-    if (!adds || column == k_tag_column) return true;
-    for (std::size_t i = 0; i < commands.size(); ++i)
-        to.columns()[column].take_row(first_row + static_cast<std::uint32_t>(i), commands[i].values);
+    if (!reserve(to, commands.size())) return false;
+    const ColumnIndex index = to.column_of(component);
+    const Archetype::Column* const column = adds && index != k_tag_column ? &to.columns()[index] : nullptr;
+    if (!send_records(from, to, column, bulk.entities, commands)) return false;
+    sort_by_row(items_, scratch_, highest_row_);
+    bulk.send(from, items_, to, fillers_);
+    if (column == nullptr || column->moves_by_bytes) return true;
+    for (std::uint32_t i = 0; i < commands.size(); ++i)
+        column->take_row(first_row + i, commands[i].values);
     return true;
 }
 
@@ -46,14 +45,13 @@ bool AlikeMoves::reserve(Archetype& to, std::size_t count) {
     }
     items_.resize(count);
     scratch_.resize(count);
-    rows_.resize(count);
-    places_.resize(count);
     fillers_.resize(count);
     return true;
 }
 
-bool AlikeMoves::send_records(const Archetype& from, Archetype& to, EntityTable& entities,
-                              std::span<const Command> commands) noexcept {
+bool AlikeMoves::send_records(const Archetype& from, Archetype& to, const Archetype::Column* column,
+                              EntityTable& entities, std::span<const Command> commands) noexcept {
+    const bool copies = column != nullptr && column->moves_by_bytes;
     const std::uint32_t first_row = to.rows();
     highest_row_ = 0;
     for (std::uint32_t i = 0; i < commands.size(); ++i) {
@@ -69,6 +67,7 @@ bool AlikeMoves::send_records(const Archetype& from, Archetype& to, EntityTable&
         record->archetype = to.index();
         record->row = first_row + i;
         BulkRows::set_entity(to, first_row + i, commands[i].entity);
+        if (copies) column->take_row(first_row + i, commands[i].values);
     }
     return true;
 }
@@ -79,17 +78,9 @@ void AlikeMoves::undo(const Archetype& from, EntityTable& entities,
         entities.place(commands[i].entity.index, from.index(), items_[i].row);
 }
 
-void AlikeMoves::sort() noexcept {
-    sort_by_row(items_, scratch_, highest_row_);
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-        rows_[i] = items_[i].row;
-        places_[i] = items_[i].command;
-    }
-}
-
 std::size_t AlikeMoves::memory_bytes() const {
     return (items_.capacity() + scratch_.capacity()) * sizeof(RowCommand) +
-           (rows_.capacity() + places_.capacity() + fillers_.capacity()) * sizeof(std::uint32_t);
+           fillers_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace rambla::ecs::detail

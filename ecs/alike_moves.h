@@ -18,27 +18,26 @@ namespace rambla::ecs::detail {
 /// rows.
 class AlikeMoves {
 public:
-    /// Fewer commands are not worth a look.
+    /// Fewer commands gain nothing.
     static constexpr std::size_t k_fewest = 32;
 
-    /// Plays the commands if they are of that kind. Else changes nothing and says no; the same where memory
-    /// is short.
+    /// Plays commands of one type if they are of that kind. Else changes nothing and says no; the same where
+    /// memory is short.
     [[nodiscard]] bool play(ArchetypeGraph& graph, const BulkRows& bulk, std::span<const Command> commands);
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
     [[nodiscard]] bool reserve(Archetype& to, std::size_t count);
-    /// Points the records of all entities to their new rows. Undone if it finds one that does not fit.
-    [[nodiscard]] bool send_records(const Archetype& from, Archetype& to, EntityTable& entities,
-                                    std::span<const Command> commands) noexcept;
+    /// Points the records of all entities to their new rows, and copies values there that move by their
+    /// bytes. Undone if it finds one that does not fit.
+    /// @param column  that the values are for, null where there are none
+    [[nodiscard]] bool send_records(const Archetype& from, Archetype& to, const Archetype::Column* column,
+                                    EntityTable& entities, std::span<const Command> commands) noexcept;
     void undo(const Archetype& from, EntityTable& entities, std::span<const Command> commands) noexcept;
-    void sort() noexcept;
 
     std::vector<RowCommand> items_;
     std::vector<RowCommand> scratch_;
-    std::vector<std::uint32_t> rows_;
-    std::vector<std::uint32_t> places_;
     std::vector<std::uint32_t> fillers_;
     std::uint32_t highest_row_ = 0;
 };

@@ -52,9 +52,9 @@ void gather(const Archetype::Column& column, std::byte* to, std::span<const std:
     }
 }
 
-template <class Row>
-void scatter(std::byte* base, std::span<const std::uint32_t> to, std::span<const std::uint32_t> from) {
-    for (std::size_t i = 0; i < to.size(); ++i) {
+template <class Row, class Rows>
+void scatter(std::byte* base, const Rows& to, std::span<const std::uint32_t> from) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
         std::memcpy(base + std::size_t{to[i]} * sizeof(Row), base + std::size_t{from[i]} * sizeof(Row),
                     sizeof(Row));
     }
@@ -67,22 +67,22 @@ struct Bytes16 {
     std::byte bytes[16];
 };
 
-/// Moves rows within a column.
-void fill_gaps(const Archetype::Column& column, std::span<const std::uint32_t> gaps,
-               std::span<const std::uint32_t> fillers) {
+/// Moves rows within a column, as many as there are fillers.
+template <class Rows>
+void fill_gaps(const Archetype::Column& column, const Rows& gaps, std::span<const std::uint32_t> fillers) {
     if (column.moves_by_bytes && column.size == 4) return scatter<std::uint32_t>(column.base, gaps, fillers);
     if (column.moves_by_bytes && column.size == 8) return scatter<std::uint64_t>(column.base, gaps, fillers);
     if (column.moves_by_bytes && column.size == 12) return scatter<Bytes12>(column.base, gaps, fillers);
     if (column.moves_by_bytes && column.size == 16) return scatter<Bytes16>(column.base, gaps, fillers);
-    for (std::size_t i = 0; i < gaps.size(); ++i)
+    for (std::size_t i = 0; i < fillers.size(); ++i)
         column.relocate_row(column.at(gaps[i]), fillers[i]);
 }
 
 /// Copies row i of those listed out to place(i) and, as far as there are fillers, another row of the column
 /// into its place.
-template <class Row, class Place>
-void exchange(std::byte* to, std::byte* base, std::span<const std::uint32_t> rows,
-              std::span<const std::uint32_t> fillers, Place place) {
+template <class Row, class Rows, class Place>
+void exchange(std::byte* to, std::byte* base, const Rows& rows, std::span<const std::uint32_t> fillers,
+              Place place) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (i + k_rows_ahead < rows.size()) {
             __builtin_prefetch(base + std::size_t{rows[i + k_rows_ahead]} * sizeof(Row), 1);
@@ -94,8 +94,8 @@ void exchange(std::byte* to, std::byte* base, std::span<const std::uint32_t> row
     }
 }
 
-template <class Place>
-void exchange(const Archetype::Column& column, std::byte* to, std::span<const std::uint32_t> rows,
+template <class Rows, class Place>
+void exchange(const Archetype::Column& column, std::byte* to, const Rows& rows,
               std::span<const std::uint32_t> fillers, Place place) {
     if (column.moves_by_bytes && column.size == 4)
         return exchange<std::uint32_t>(to, column.base, rows, fillers, place);
@@ -107,17 +107,18 @@ void exchange(const Archetype::Column& column, std::byte* to, std::span<const st
         return exchange<Bytes16>(to, column.base, rows, fillers, place);
     for (std::size_t i = 0; i < rows.size(); ++i)
         column.relocate_row(to + place(i) * column.size, rows[i]);
-    fill_gaps(column, rows.first(fillers.size()), fillers);
+    fill_gaps(column, rows, fillers);
 }
 
 std::size_t in_order(std::size_t i) {
     return i;
 }
 
-void end_rows(const Archetype::Column& column, std::span<const std::uint32_t> rows) {
+template <class Rows>
+void end_rows(const Archetype::Column& column, const Rows& rows) {
     if (column.info->destroy == nullptr) return;
-    for (std::uint32_t row : rows)
-        column.info->destroy(column.at(row), 1);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        column.info->destroy(column.at(rows[i]), 1);
 }
 
 }  // namespace
@@ -196,9 +197,9 @@ std::uint32_t BulkRows::move_and_close(Archetype& from, std::span<const std::uin
     return first;
 }
 
-void BulkRows::send(Archetype& from, std::span<const std::uint32_t> rows,
-                    std::span<const std::uint32_t> places, Archetype& to,
+void BulkRows::send(Archetype& from, std::span<const RowCommand> moves, Archetype& to,
                     std::span<std::uint32_t> fillers) const noexcept {
+    const RowsOf rows{moves};
     const std::uint32_t first = grow_rows(to, static_cast<std::uint32_t>(rows.size()));
     fillers = fillers.first(find_fillers(from.rows_, rows, fillers));
     for (std::size_t i = 0; i < fillers.size(); ++i) {
@@ -208,20 +209,20 @@ void BulkRows::send(Archetype& from, std::span<const std::uint32_t> rows,
         from.entities_[rows[i]] = filler;
         entities[filler.index].row = rows[i];
     }
-    exchange_columns(from, rows, to, first, fillers, [&](std::size_t i) -> std::size_t { return places[i]; });
+    exchange_columns(from, rows, to, first, fillers,
+                     [&](std::size_t i) -> std::size_t { return moves[i].command; });
 }
 
-template <class Place>
-void BulkRows::exchange_columns(Archetype& from, std::span<const std::uint32_t> rows, Archetype& to,
-                                std::uint32_t first, std::span<const std::uint32_t> fillers,
-                                Place place) const noexcept {
+template <class Rows, class Place>
+void BulkRows::exchange_columns(Archetype& from, const Rows& rows, Archetype& to, std::uint32_t first,
+                                std::span<const std::uint32_t> fillers, Place place) const noexcept {
     for (const Archetype::Column& source : from.columns_) {
         const ColumnIndex target = to.column_of(source.component);
         if (target != k_no_column) {
             exchange(source, to.columns_[target].at(first), rows, fillers, place);
         } else {
             end_rows(source, rows);
-            fill_gaps(source, rows.first(fillers.size()), fillers);
+            fill_gaps(source, rows, fillers);
         }
     }
     const std::uint32_t old_end = from.rows_;
@@ -230,13 +231,16 @@ void BulkRows::exchange_columns(Archetype& from, std::span<const std::uint32_t> 
     stamp(from, from.rows_, old_end);
 }
 
-std::size_t BulkRows::find_fillers(std::uint32_t old_end, std::span<const std::uint32_t> gaps,
+template <class Rows>
+std::size_t BulkRows::find_fillers(std::uint32_t old_end, const Rows& gaps,
                                    std::span<std::uint32_t> fillers) noexcept {
     const std::uint32_t end = old_end - static_cast<std::uint32_t>(gaps.size());
-    auto next_gap = std::ranges::lower_bound(gaps, end);
+    std::size_t next_gap = gaps.size();
+    while (next_gap != 0 && gaps[next_gap - 1] >= end)
+        --next_gap;
     std::size_t count = 0;
     for (std::uint32_t row = end; row < old_end; ++row) {
-        if (next_gap != gaps.end() && *next_gap == row) {
+        if (next_gap != gaps.size() && gaps[next_gap] == row) {
             ++next_gap;
         } else {
             fillers[count++] = row;
@@ -264,9 +268,11 @@ void BulkRows::close_gaps(Archetype& archetype, std::span<const std::uint32_t> g
     stamp(archetype, archetype.rows_, old_end);
 }
 
-void BulkRows::stamp_each(Archetype& archetype, std::span<const std::uint32_t> rows) const noexcept {
+template <class Rows>
+void BulkRows::stamp_each(Archetype& archetype, const Rows& rows) const noexcept {
     std::uint32_t next_chunk = 0;
-    for (std::uint32_t row : rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::uint32_t row = rows[i];
         if (row / k_chunk_rows < next_chunk) continue;
         archetype.stamp_rows(row, version);
         next_chunk = row / k_chunk_rows + 1;

@@ -5,6 +5,7 @@
 
 #include "ecs/archetype.h"
 #include "ecs/entity_table.h"
+#include "ecs/row_sort.h"
 #include "ecs/sparse_set.h"
 
 namespace rambla::ecs::detail {
@@ -44,11 +45,11 @@ struct BulkRows {
     static void set_entity(Archetype& archetype, std::uint32_t row, Entity entity) noexcept {
         archetype.entities_[row] = entity;
     }
-    /// The same into places of the caller's choice: row rows[i] becomes number places[i] of those that come
-    /// to `to`, whose entities and records the caller has written.
-    /// @param places  every number below rows.size() once
-    void send(Archetype& from, std::span<const std::uint32_t> rows, std::span<const std::uint32_t> places,
-              Archetype& to, std::span<std::uint32_t> fillers) const noexcept;
+    /// The same into places of the caller's choice: moves[i].row becomes number moves[i].command of those
+    /// that come to `to`, whose entities and records the caller has written.
+    /// @param moves  sorted by rows, with every number below moves.size() once
+    void send(Archetype& from, std::span<const RowCommand> moves, Archetype& to,
+              std::span<std::uint32_t> fillers) const noexcept;
     /// Makes sure that move_all() has room, and whether it may hand over whole columns. May fail.
     static void reserve_all(Archetype& from, Archetype& to);
     /// Moves all rows as move() does. Columns change hands where `to` is empty. Returns the first.
@@ -63,14 +64,15 @@ private:
     [[nodiscard]] static bool can_hand_over(const Archetype& from, const Archetype& to);
     static void hand_over(Archetype& from, Archetype& to) noexcept;
     /// The rows behind the new end that do not leave. Returns how many there are.
-    static std::size_t find_fillers(std::uint32_t old_end, std::span<const std::uint32_t> gaps,
+    template <class Rows>
+    static std::size_t find_fillers(std::uint32_t old_end, const Rows& gaps,
                                     std::span<std::uint32_t> fillers) noexcept;
     /// Relocates rows and fills the gaps that they leave, column by column, the entities excepted.
-    template <class Place>
-    void exchange_columns(Archetype& from, std::span<const std::uint32_t> rows, Archetype& to,
-                          std::uint32_t first, std::span<const std::uint32_t> fillers,
-                          Place place) const noexcept;
-    void stamp_each(Archetype& archetype, std::span<const std::uint32_t> rows) const noexcept;
+    template <class Rows, class Place>
+    void exchange_columns(Archetype& from, const Rows& rows, Archetype& to, std::uint32_t first,
+                          std::span<const std::uint32_t> fillers, Place place) const noexcept;
+    template <class Rows>
+    void stamp_each(Archetype& archetype, const Rows& rows) const noexcept;
     /// Appends rows that the caller fills. Companions are zero, but for those that the rows bring with them.
     std::uint32_t grow_rows(Archetype& to, std::uint32_t count,
                             const Archetype* brought_from = nullptr) const noexcept;

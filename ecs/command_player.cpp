@@ -42,11 +42,10 @@ Playback CommandPlayer::play_once(std::span<Commands* const> recordings) {
     std::size_t next = 0;
     try {
         while (next < commands_.size()) {
-            std::size_t end = next;
-            while (end < commands_.size() && commands_[end].type->fits == nullptr)
-                ++end;
-            if (world_.observers_ == nullptr &&
-                alike_.play(world_.graph_, bulk(), commands_.subspan(next, end - next))) {
+            const std::size_t end = end_of_singles(next);
+            const std::span<const Command> singles = commands_.subspan(next, end - next);
+            if (world_.observers_ == nullptr && are_alike(singles) &&
+                alike_.play(world_.graph_, bulk(), singles)) {
                 next = end;
             } else if (end != next) {
                 dropped += play_single(recordings, next, end);
@@ -66,6 +65,21 @@ Playback CommandPlayer::play_once(std::span<Commands* const> recordings) {
     const Playback playback{commands_.size() - dropped, dropped};
     give_created_to(recordings);
     return playback;
+}
+
+std::size_t CommandPlayer::end_of_singles(std::size_t first) const {
+    if (one_type_ && commands_[first].type->fits == nullptr) return commands_.size();
+    std::size_t end = first;
+    while (end < commands_.size() && commands_[end].type->fits == nullptr)
+        ++end;
+    return end;
+}
+
+bool CommandPlayer::are_alike(std::span<const Command> commands) const {
+    if (commands.size() < AlikeMoves::k_fewest) return false;
+    return one_type_ || std::ranges::all_of(commands, [&](const Command& command) {
+               return command.type == commands[0].type;
+           });
 }
 
 std::size_t CommandPlayer::play_single(std::span<Commands* const> recordings, std::size_t first,
@@ -152,9 +166,16 @@ void CommandPlayer::merge(std::span<Commands* const> recordings) {
     created_.clear();
     placeholders_.assign(1, 0);
     commands_before_.assign(1, 0);
+    one_type_ = true;
+    const CommandType* type = nullptr;
     for (Commands* recording : recordings) {
         commands_before_.push_back(commands_before_.back() + recording->commands_.size());
         placeholders_.push_back(placeholders_.back() + recording->placeholders_);
+        if (!recording->empty()) {
+            const bool same = type == nullptr || type == recording->last_type_;
+            one_type_ = one_type_ && same && recording->runs_ == 1;
+            type = recording->last_type_;
+        }
         recording->created_.clear();
         recording->created_.reserve(recording->placeholders_);
     }

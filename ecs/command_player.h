@@ -34,6 +34,10 @@ private:
     void merge(std::span<Commands* const> recordings);
     /// Plays commands about single entities. Says how many were dropped.
     std::size_t play_single(std::span<Commands* const> recordings, std::size_t first, std::size_t end);
+    /// Where the commands about single entities end that begin at `first`.
+    [[nodiscard]] std::size_t end_of_singles(std::size_t first) const;
+    /// Whether commands are all of one type.
+    [[nodiscard]] bool are_alike(std::span<const Command> commands) const;
     void play_whole(const Command& command, std::size_t recording);
     void add_to_whole(const Command& command, const CommandPart& part);
     void replace_whole(const Command& command, const ComponentInfo& info, Archetype& archetype,
@@ -67,6 +71,7 @@ private:
     AlikeMoves alike_;
     CommandPlan plan_;
     std::span<const Command> commands_;         ///< of all recordings
+    bool one_type_ = false;                     ///< all commands_ are known to be of one type
     std::vector<Command> merged_;               ///< where commands_ are if there are several recordings
     std::vector<std::uint32_t> placeholders_;   ///< before each recording, and after the last
     std::vector<std::size_t> commands_before_;  ///< each recording, and all

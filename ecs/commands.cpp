@@ -29,6 +29,8 @@ void Commands::forget_from(std::size_t first) noexcept {
             detail::destroy_rows(*part.info, command.values + part.offset, 1);
     }
     commands_.clear();
+    last_type_ = nullptr;
+    runs_ = 0;
     arena_.clear();
     placeholders_ = 0;
 }

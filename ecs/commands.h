@@ -59,11 +59,11 @@ public:
     /// Takes a component away. Dropped and counted when played if it is not there then.
     template <Component C>
     void remove(Entity entity) {
-        commands_.push_back({entity, &detail::command_type<detail::CommandKind::remove, C>(), nullptr});
+        push(entity, detail::command_type<detail::CommandKind::remove, C>(), nullptr);
     }
     /// Ends an entity. Dropped and counted when played if it ended before.
     void destroy(Entity entity) {
-        commands_.push_back({entity, &detail::command_type<detail::CommandKind::destroy>(), nullptr});
+        push(entity, detail::command_type<detail::CommandKind::destroy>(), nullptr);
     }
     /// destroy() for each, in their order.
     void destroy_many(std::span<const Entity> entities) {
@@ -82,13 +82,12 @@ public:
     /// Takes C from all entities that have it and fit the terms.
     template <Component C, class... Terms>
     void remove_from_all() {
-        commands_.push_back(
-            {{}, &detail::whole_command_type<detail::CommandKind::remove, C, Terms...>(), nullptr});
+        push({}, detail::whole_command_type<detail::CommandKind::remove, C, Terms...>(), nullptr);
     }
     /// Ends all entities that fit the terms.
     template <class... Terms>
     void destroy_all() {
-        commands_.push_back({{}, &detail::whole_destroy_type<Terms...>(), nullptr});
+        push({}, detail::whole_destroy_type<Terms...>(), nullptr);
     }
 
     /// Makes the changes and empties the recording. Commands whose target ended earlier, or that remove what
@@ -113,11 +112,20 @@ private:
 
     template <class... Cs>
     void record(const detail::CommandType& type, Entity entity, Cs&... values);
+    void push(Entity entity, const detail::CommandType& type, std::byte* values) {
+        if (&type != last_type_) {
+            last_type_ = &type;
+            ++runs_;
+        }
+        commands_.push_back({entity, &type, values});
+    }
     /// Forgets the commands from `first` on and ends their values; those before it have none left.
     void forget_from(std::size_t first) noexcept;
 
     CommandArena arena_;
     std::vector<detail::Command> commands_;
+    const detail::CommandType* last_type_ = nullptr;
+    std::size_t runs_ = 0;         ///< of neighbouring commands of one type
     std::vector<Entity> created_;  ///< by placeholder, of the last apply()
     std::uint32_t placeholders_ = 0;
 };
@@ -138,7 +146,7 @@ template <class... Cs>
 void Commands::record(const detail::CommandType& type, Entity entity, Cs&... values) {
     using Layout = detail::CommandLayout<Cs...>;
     std::byte* bytes = Layout::size == 0 ? nullptr : arena_.take(Layout::size, Layout::alignment);
-    commands_.push_back({entity, &type, bytes});
+    push(entity, type, bytes);
     [[maybe_unused]] std::size_t next = 0;  // nothing fails from here on
     [[maybe_unused]] const auto store = [&]<class C>(C& value) {
         const std::size_t offset = Layout::offsets[next++];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -9,6 +10,19 @@ namespace rambla::ecs::detail {
 struct RowCommand {
     std::uint32_t row;
     std::uint32_t command;
+};
+
+/// The rows of such a list.
+class RowsOf {
+public:
+    explicit RowsOf(std::span<const RowCommand> items) : items_{items} {}
+
+    [[nodiscard]] std::size_t size() const { return items_.size(); }
+    [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return items_[i].row; }
+    [[nodiscard]] RowsOf first(std::size_t count) const { return RowsOf{items_.first(count)}; }
+
+private:
+    std::span<const RowCommand> items_;
 };
 
 /// Sorts by rows; commands of one row keep their order. Radix sort from the lowest bits on, as many at

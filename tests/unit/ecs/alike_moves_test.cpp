@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "ecs/command_queue.h"
 #include "ecs/commands.h"
 #include "ecs/query.h"
 #include "ecs/world.h"
@@ -23,6 +24,17 @@ struct Mark {
 struct Owner {
     std::shared_ptr<int> owned;
 };
+/// Owns memory and moves by its bytes.
+struct Box {
+    std::unique_ptr<int> owned;
+};
+
+}  // namespace
+
+template <>
+struct is_relocatable<Box> : std::true_type {};
+
+namespace {
 
 constexpr std::uint32_t k_entities = 3000;
 constexpr std::uint32_t k_chosen = 300;
@@ -103,6 +115,50 @@ TEST(AlikeMoves, AnEntityNamedTwiceMovesOnceAndKeepsTheLastValue) {
     EXPECT_EQ(crowd.marked().size(), k_chosen);
     EXPECT_EQ(crowd.world.get<Mark>(crowd.chosen[5]).value, 77u);
     crowd.expect_all_have_their_numbers();
+}
+
+TEST(AlikeMoves, OwningValuesThatMoveByTheirBytesArriveOnceEach) {
+    for (const bool twice : {false, true}) {
+        Crowd crowd;
+        for (std::uint32_t i = 0; i < k_chosen; ++i)
+            crowd.commands.add(crowd.chosen[i], Box{std::make_unique<int>(static_cast<int>(i))});
+        if (twice) crowd.commands.add(crowd.chosen[5], Box{std::make_unique<int>(77)});
+        crowd.commands.apply(crowd.world);
+        for (std::uint32_t i = 0; i < k_chosen; ++i) {
+            const int expected = twice && i == 5 ? 77 : static_cast<int>(i);
+            ASSERT_EQ(*crowd.world.get<Box>(crowd.chosen[i]).owned, expected);
+        }
+        crowd.expect_all_have_their_numbers();
+    }
+}
+
+TEST(AlikeMoves, TwoRecordingsEachOfAnotherTypeAreBothPlayed) {
+    Crowd crowd;
+    CommandQueue queue;
+    Commands& gives = queue.recording({0, 0});
+    Commands& takes = queue.recording({1, 0});
+    constexpr std::uint32_t k_half = k_chosen / 2;
+    for (std::uint32_t i = 0; i < k_half; ++i) {
+        gives.add(crowd.chosen[i], Mark{i});
+        takes.remove<Owner>(crowd.chosen[k_half + i]);
+    }
+    EXPECT_EQ(queue.apply(crowd.world).applied, k_chosen);
+    for (std::uint32_t i = 0; i < k_half; ++i) {
+        ASSERT_TRUE(crowd.world.has<Mark>(crowd.chosen[i]));
+        EXPECT_EQ(crowd.world.get<Mark>(crowd.chosen[i]).value, i);
+        EXPECT_FALSE(crowd.world.has<Mark>(crowd.chosen[k_half + i]));
+        EXPECT_FALSE(crowd.world.has<Owner>(crowd.chosen[k_half + i]));
+    }
+    crowd.expect_all_have_their_numbers();
+}
+
+TEST(AlikeMoves, ARecordingThatBeginsAlikeIsPlayedToItsEnd) {
+    Crowd crowd;
+    for (Entity entity : crowd.chosen)
+        crowd.commands.add<Mark>(entity);
+    crowd.commands.destroy(crowd.all[0]);
+    EXPECT_EQ(crowd.commands.apply(crowd.world).applied, k_chosen + 1);
+    EXPECT_FALSE(crowd.world.alive(crowd.all[0]));
 }
 
 TEST(AlikeMoves, AnEntityThatEndedBeforeIsDroppedAndTheOthersMove) {
