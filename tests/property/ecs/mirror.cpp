@@ -18,26 +18,27 @@ std::optional<EntityRecord> record_of(const World& world, Entity entity) {
 }  // namespace
 
 /// Not in the order of their numbers, nor in that in which components come to be known.
-Mirror::Mirror(World& world) : world_{&world} {
-    observe<Burning>();
+Mirror::Mirror(World& world, Watches watches) : world_{&world} {
     observe<Score>();
     observe<Health>();
+    if (watches == Watches::sparse_too) {
+        observe<Burning>();
+        observe<Selected>();
+        observe<SparseAnchored>();
+        world.observers().on_add<Burning>([this](Entity entity, const Burning&, Commands& later) {
+            later.remove<Frozen>(entity);
+            echoes_.push_back({entity, {}});
+        });
+    }
     observe<Frozen>();
     observe<Parent>();
     observe<Ticket>();
     observe<Material>();
-    observe<Selected>();
     observe<Light>();
-    observe<SparseAnchored>();
     observe<Position>();
     observe<Tint>();
     observe<Anchored>();
-    Observers& observers = world.observers();
-    observers.on_add<Burning>([this](Entity entity, const Burning&, Commands& later) {
-        later.remove<Frozen>(entity);
-        echoes_.push_back({entity, {}});
-    });
-    observers.on_set<Score>([this](Entity entity, const Score& score, Commands& later) {
+    world.observers().on_set<Score>([this](Entity entity, const Score& score, Commands& later) {
         const auto n = static_cast<std::uint32_t>(score.points);
         if (n % 4 != 0) return;
         later.add(entity, make_part<Byte>(n));

@@ -18,13 +18,16 @@ namespace rambla::ecs::property {
 /// Some parts are not observed. Two observers record changes that follow, for the model to repeat.
 class Mirror {
 public:
+    /// Where no sparse part is observed, changes of archetypes without observed parts need not be looked at.
+    enum class Watches { columns, sparse_too };
+
     /// A change that an observer has recorded: Frozen goes, or Byte comes.
     struct Echo {
         Entity entity;
         std::optional<std::uint32_t> byte;
     };
 
-    explicit Mirror(World& world);
+    Mirror(World& world, Watches watches);
 
     /// Begins to observe a part, or ends that.
     template <class C>

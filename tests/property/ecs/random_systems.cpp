@@ -109,6 +109,11 @@ struct Quench {
     }
 };
 
+/// Jobs and the system itself give the same entities different bytes: those of the jobs stay.
+void claim(std::uint32_t k, Commands& commands, Entity entity, std::uint8_t byte) {
+    if (mix(k, entity.index, 2) % 13 == 0) commands.add(entity, Byte{byte});
+}
+
 /// Whole archetypes, from one place in the recording.
 void sweep(std::uint32_t k, Commands& commands) {
     switch (k % 5) {
@@ -263,6 +268,24 @@ constexpr SystemKind k_hear{
             heard.value = heard.value * k_tally_factor + run.shouts[state.unread].number + k;
     }};
 
+constexpr SystemKind k_claim{
+    "claim",
+    [](Schedule& schedule, std::string as, std::uint32_t k) {
+        return schedule.add(std::move(as),
+                            [k](View<Entity, With<Score>> view, Commands& commands, JobCommands& by_jobs) {
+                                view.for_each_chunk([&](const auto& chunk, Job job) {
+                                    chunk.each([&](Entity entity) { claim(k, by_jobs.of(job), entity, 1); });
+                                });
+                                view.each([&](Entity entity) { claim(k, commands, entity, 2); });
+                            });
+    },
+    [](NaiveRun& run, NaiveState&, std::uint32_t k) {
+        for (const std::uint8_t byte : {2, 1}) {
+            Query<Entity, With<Score>>{}.each(run.world,
+                                              [&](Entity entity) { claim(k, run.commands, entity, byte); });
+        }
+    }};
+
 constexpr SystemKind k_sweep{"sweep",
                              [](Schedule& schedule, std::string as, std::uint32_t k) {
                                  return schedule.add(std::move(as),
@@ -322,6 +345,7 @@ constexpr SystemKind k_kinds[]{
     k_judge,
     k_shout,
     k_hear,
+    k_claim,
     k_sweep,
     k_meddle,
     k_inherit,

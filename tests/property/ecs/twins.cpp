@@ -52,9 +52,9 @@ std::span<const Twins::Kind> Twins::kinds() {
     return k_kinds;
 }
 
-Twins::Twins(const WorldOptions& options, bool observed)
+Twins::Twins(const WorldOptions& options, std::optional<Mirror::Watches> observed)
     : world_{options},
-      mirror_{observed ? std::make_unique<Mirror>(world_) : nullptr},
+      mirror_{observed ? std::make_unique<Mirror>(world_, *observed) : nullptr},
       recordings_(k_recordings),
       queries_{std::make_unique<Queries>()},
       replica_{std::make_unique<Replica>()} {}

@@ -26,8 +26,9 @@ class Replica;
 /// came before; every operation is possible at any time, so that any part of a sequence is a sequence.
 class Twins {
 public:
-    /// @param observed  whether observers keep a mirror of the world, which must then always be right
-    Twins(const WorldOptions& options, bool observed);
+    /// @param observed  what observers keep a mirror of, which must then always be right; nothing: nobody
+    ///                  observes
+    Twins(const WorldOptions& options, std::optional<Mirror::Watches> observed);
     ~Twins();
 
     /// Relative frequency of each kind of operation.

@@ -11,6 +11,18 @@
 namespace rambla::ecs::property {
 namespace {
 
+/// Whether all of these rows are in one chunk.
+bool in_one_chunk(const World& world, std::span<const Entity> rows) {
+    Query<Entity> all;
+    for (const auto& chunk : all.chunks(world)) {
+        const std::span<const Entity> entities = chunk.get<0>();
+        const bool begins_here =
+            rows.data() >= entities.data() && rows.data() < entities.data() + entities.size();
+        if (begins_here) return rows.data() + rows.size() <= entities.data() + entities.size();
+    }
+    return false;
+}
+
 struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -36,6 +48,7 @@ void Twins::create_filled(std::uint32_t count, const Operation& operation) {
     const std::uint32_t until = operation.b % 4 == 0 ? n % (count + 1) : count;
     std::vector<Entity> met;
     const auto fill = [&](std::span<const Entity> entities, auto... columns) {
+        expect(in_one_chunk(world_, entities), "a filler gets rows of several chunks at once");
         for (std::size_t i = 0; i < entities.size(); ++i) {
             if (met.size() == until) throw Refused{"enough"};
             const std::uint32_t number = n + static_cast<std::uint32_t>(met.size());

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "property/ecs/last_words.h"
@@ -27,7 +28,7 @@ struct Outcome {
 struct Setting {
     std::string_view name;
     WorldOptions options{};
-    bool observed = false;
+    std::optional<Mirror::Watches> observed;
 };
 
 Outcome play(const Sequence& sequence, const Setting& setting, std::string* trace = nullptr) {
@@ -98,11 +99,12 @@ TEST_P(RandomWorlds, AgreeWithANaiveModel) {
 
 TEST_P(RandomWorlds, AgreeWithAModelThatObserversKeep) {
     const Sequence sequence = random_sequence(100 + GetParam(), k_operations, Twins::weights());
-    const Outcome reserved = play_all(sequence, {"with observers", {}, true});
+    const auto watches = GetParam() % 2 == 0 ? Mirror::Watches::columns : Mirror::Watches::sparse_too;
+    const Outcome reserved = play_all(sequence, {"with observers", {}, watches});
     ASSERT_FALSE(HasFailure());
 
     const WorldOptions in_blocks{.first_version = 0x7fffff00u, .reserve_address_space = false};
-    const Outcome moved = play_all(sequence, {"with observers, in blocks", in_blocks, true});
+    const Outcome moved = play_all(sequence, {"with observers, in blocks", in_blocks, watches});
     ASSERT_FALSE(HasFailure());
     EXPECT_EQ(moved.digest, reserved.digest) << "what observers are told depends on how memory grows";
 }
