@@ -28,7 +28,7 @@ struct Outcome {
 struct Setting {
     std::string_view name;
     WorldOptions options{};
-    std::optional<Mirror::Watches> observed;
+    std::optional<Mirror::Watches> observed{};
 };
 
 Outcome play(const Sequence& sequence, const Setting& setting, std::string* trace = nullptr) {
