@@ -47,6 +47,7 @@ struct ColumnWith : TermDefaults {
 template <class C>
 struct SparseWith : TermDefaults {
     static constexpr bool filters_rows = true;
+    static constexpr bool needs_sparse = true;
     static void filter(const ChunkPlace& place, RowMask& rows) {
         keep_those_in(sparse_set_of<C>(place.graph), place.archetype.entities() + place.first_row(), rows);
     }

@@ -1,145 +1,23 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
+#include <span>
 #include <tuple>
 #include <type_traits>
 #include <vector>
 
 #include "ecs/chunk.h"
+#include "ecs/chunk_range.h"
 #include "ecs/filters.h"
 #include "ecs/iteration.h"
+#include "ecs/rare_rows.h"
 #include "ecs/term_access.h"
 #include "ecs/terms.h"
 #include "ecs/version.h"
 #include "ecs/world.h"
 
 namespace rambla::ecs {
-
-namespace detail {
-
-/// What the terms of a query leave out of the archetypes that it matches.
-template <class... Terms>
-struct Filters {
-    static constexpr bool k_rows = (Term<Terms>::filters_rows || ...);
-    static constexpr bool k_chunks = (Term<Terms>::filters_chunks || ...);
-
-    static bool admits([[maybe_unused]] const Walk& walk, [[maybe_unused]] const Archetype& archetype) {
-        return (admitted<Terms>(walk, archetype) && ...);
-    }
-    static bool admits([[maybe_unused]] const Walk& walk, [[maybe_unused]] const Archetype& archetype,
-                       [[maybe_unused]] std::uint32_t chunk) {
-        return (admitted<Terms>(walk, archetype, chunk) && ...);
-    }
-    static RowMask rows(const Walk& walk, Archetype& archetype, std::uint32_t chunk) {
-        RowMask rows = RowMask::first(std::min(archetype.rows() - chunk * k_chunk_rows, k_chunk_rows));
-        (narrow_down<Terms>(walk, {*walk.graph, archetype, k_no_column, chunk, walk.version}, rows), ...);
-        return rows;
-    }
-
-private:
-    template <class T, class... Chunk>
-    static bool admitted(const Walk& walk, const Archetype& archetype, Chunk... chunk) {
-        if constexpr (Term<T>::filters_chunks)
-            return Term<T>::admits(*walk.graph, archetype, chunk..., walk.since);
-        return true;
-    }
-    template <class T>
-    static void narrow_down(const Walk& walk, const ChunkPlace& place, RowMask& rows) {
-        if constexpr (Term<T>::filters_rows && Term<T>::filters_chunks) {
-            Term<T>::filter(place, rows, walk.since);
-        } else if constexpr (Term<T>::filters_rows) {
-            Term<T>::filter(place, rows);
-        }
-    }
-};
-
-struct NoRows {};
-
-}  // namespace detail
-
-/// The archetypes that a query found, and where its columns are in each.
-template <class ChunkType>
-struct QueryMatch {
-    Archetype* archetype;
-    typename ChunkType::Columns columns;  ///< one per term that hands something out
-};
-
-/// The chunks of a query, for one walk over them: archetypes in the order of their birth, chunks by rows.
-/// While it lives, this thread cannot change the world's structure.
-template <class ChunkType, class Filters>
-class ChunkRange {
-public:
-    using Match = QueryMatch<ChunkType>;
-
-    ChunkRange(const World& world, const std::vector<Match>& matches, const detail::Walk& walk)
-        : mark_{world, &matches}, first_{matches.data()}, last_{first_ + matches.size()}, walk_{walk} {}
-
-    class Iterator {
-    public:
-        using value_type = ChunkType;
-        using difference_type = std::ptrdiff_t;
-        using iterator_concept = std::input_iterator_tag;
-
-        Iterator(const Match* match, const Match* last, const detail::Walk& walk)
-            : match_{match}, last_{last}, walk_{walk} {
-            settle();
-        }
-        ChunkType operator*() const {
-            if constexpr (Filters::k_rows) {
-                return {walk_, *match_->archetype, match_->columns, chunk_, rows_};
-            } else {
-                return {walk_, *match_->archetype, match_->columns, chunk_};
-            }
-        }
-        Iterator& operator++() {
-            ++chunk_;
-            settle();
-            return *this;
-        }
-        void operator++(int) { ++*this; }
-        bool operator==(std::default_sentinel_t) const { return match_ == last_; }
-
-    private:
-        /// Goes on to the next chunk with rows that match, this one included.
-        void settle() {
-            for (; match_ != last_; ++match_, chunk_ = 0) {
-                if (!Filters::admits(walk_, *match_->archetype)) continue;
-                for (; chunk_ * k_chunk_rows < match_->archetype->rows(); ++chunk_) {
-                    if (has_rows()) return;
-                }
-            }
-        }
-        bool has_rows() {
-            if (!Filters::admits(walk_, *match_->archetype, chunk_)) return false;
-            if constexpr (Filters::k_rows) {
-                rows_ = Filters::rows(walk_, *match_->archetype, chunk_);
-                return rows_.any();
-            }
-            return true;
-        }
-
-        const Match* match_;
-        const Match* last_;
-        detail::Walk walk_;
-        std::uint32_t chunk_ = 0;
-        [[no_unique_address]] std::conditional_t<Filters::k_rows, RowMask, detail::NoRows> rows_;
-    };
-
-    /// Each walk begins anew; a chunk is valid as long as the range.
-    [[nodiscard]] Iterator begin() const { return {first_, last_, walk_}; }
-    /// Where all chunks are done.
-    [[nodiscard]] std::default_sentinel_t end() const { return {}; }
-
-private:
-    detail::IterationMark mark_;
-    const Match* first_;
-    const Match* last_;
-    detail::Walk walk_;
-};
 
 /// Finds the entities with certain components and hands out their columns, a chunk at a time. Terms:
 ///     Entity                     span<const Entity>
@@ -170,7 +48,9 @@ public:
     /// With Changed terms, walks need to know since when.
     static constexpr bool k_asks_changes = Filters::k_chunks;
 
-    /// The chunks with all matching rows, none empty. Does not allocate unless archetypes were born since.
+    /// The chunks with all matching rows, none empty. Where few entities have a sparse component that the
+    /// terms need, the walk goes from one of them to the next instead of over all rows. Does not allocate
+    /// unless archetypes were born since, or more entities have such a component than ever.
     [[nodiscard]] Range chunks(World& world) & requires(!k_asks_changes) { return walk(world, {}); }
     [[nodiscard]] Range chunks(const World& world) & requires(k_read_only && !k_asks_changes) {
         return walk(world, {});
@@ -218,24 +98,26 @@ private:
 
     Range walk(const World& world, Since since) {
         refresh(world);
-        return {world, matches_, {&world.graph_, world.version(), since}};
+        return {world, matches_, {&world.graph_, world.version(), since}, rare_walk(world)};
+    }
+
+    typename Range::Rare rare_walk([[maybe_unused]] const World& world) {
+        if constexpr (Filters::k_needs_sparse) {
+            return rare_rows_.walk(Filters::rarest(world.graph_), world.entities_, std::span{matches_});
+        } else {
+            return {};
+        }
     }
 
     std::size_t count_rows(const World& world, Since since) {
-        refresh(world);
-        const detail::Walk walk{&world.graph_, world.version(), since};
+        const Range range = walk(world, since);
         std::size_t rows = 0;
-        for (const Match& match : matches_) {
-            Archetype& archetype = *match.archetype;
-            if constexpr (!Filters::k_rows && !Filters::k_chunks) {
-                rows += archetype.rows();
-                continue;
-            }
-            if (!Filters::admits(walk, archetype)) continue;
-            for (std::uint32_t chunk = 0; chunk * k_chunk_rows < archetype.rows(); ++chunk) {
-                if (Filters::admits(walk, archetype, chunk))
-                    rows += Filters::rows(walk, archetype, chunk).count();
-            }
+        if constexpr (Filters::k_rows || Filters::k_chunks) {
+            for (auto chunk = range.begin(); chunk != range.end(); ++chunk)
+                rows += chunk.row_count();
+        } else {
+            for (const Match& match : matches_)
+                rows += match.archetype->rows();
         }
         return rows;
     }
@@ -293,6 +175,8 @@ private:
     }
 
     std::vector<Match> matches_;
+    [[no_unique_address]] std::conditional_t<Filters::k_needs_sparse, detail::RareRows, detail::NoRows>
+        rare_rows_;
     std::size_t seen_ = 0;  ///< archetypes looked at
     std::uint64_t world_serial_ = 0;
 };

@@ -51,10 +51,12 @@ SparseSet* sparse_set_of(const ArchetypeGraph& graph) {
 /// What all terms have in common; each states what differs:
 ///     Part               the component it names; a query names each once
 ///     need, Column       what an archetype must have; Column is missing if it need have nothing
-///     handed_out         has a part in Chunk::get() and each(), by way of Cursor, cursor(), view(),
-///     argument() writes             hands it out for writing stamps             handing out a chunk counts
-///     as writing its column filters_rows       narrows down a chunk's rows: filter() filters_chunks passes
-///     archetypes and chunks by: admits()
+///     handed_out         has a part in Chunk::get() and each(), by Cursor, cursor(), view() and argument()
+///     writes             hands it out for writing
+///     stamps             handing out a chunk counts as writing its column
+///     filters_rows       narrows down a chunk's rows: filter()
+///     filters_chunks     passes archetypes and chunks by: admits()
+///     needs_sparse       only rows that are in the sparse set of Part can match
 struct TermDefaults {
     static constexpr Need need = Need::always;
     static constexpr bool handed_out = false;
@@ -62,6 +64,7 @@ struct TermDefaults {
     static constexpr bool stamps = false;
     static constexpr bool filters_rows = false;
     static constexpr bool filters_chunks = false;
+    static constexpr bool needs_sparse = false;
 };
 
 /// A component in a column, const C or C.
@@ -90,6 +93,7 @@ struct SparseTerm : TermDefaults {
     static constexpr bool handed_out = true;
     static constexpr bool writes = !std::is_const_v<T>;
     static constexpr bool filters_rows = true;
+    static constexpr bool needs_sparse = true;
 
     static Cursor cursor(const ChunkPlace& place) {
         return {sparse_set_of<Part>(place.graph), place.archetype.entities() + place.first_row(),
@@ -145,6 +149,7 @@ template <class T>
 struct OptionalSparseTerm : SparseTerm<T> {
     using typename SparseTerm<T>::Cursor;
     static constexpr bool filters_rows = false;
+    static constexpr bool needs_sparse = false;
 
     static T* argument(const Cursor& cursor, std::size_t row) { return cursor.find(row); }
 };
