@@ -73,6 +73,14 @@ inline constexpr Target k_ecs_targets[]{
      .goal = 42,
      .reason = "24 bytes of payload; EnTT 49 to 60, flecs 58 to 89",
      .counter = "bytes_per_entity"},
+    {.operation = "archetypes_10000",
+     .measure = Measure::counter,
+     .solid = 4096,
+     .goal = 2048,
+     .reason =
+         "all that a world holds, by archetype of one entity and 6.5 components on average; one page is "
+         "the least that a single column with pages of its own takes",
+     .counter = "bytes_per_archetype"},
 };
 
 }  // namespace rambla::bench
