@@ -10,6 +10,8 @@ namespace rambla::assets {
 /// Limits on untrusted files; generous for real ones. Beyond them, a file yields at most 8 elements per byte
 /// of itself and its buffers (or a million), so that small files cannot fill the memory. An element is a
 /// vertex, an index, a vertex of a morph target, a number or time of a clip's key; an instance counts as 16.
+/// Pictures have at most 4200 bytes of texels per byte of all of its files (or 256 MiB), or twice that when
+/// many are small (picture_limits.h).
 struct ImportLimits {
     std::uint64_t file_bytes = 4ull << 30;  ///< the document and its buffers together
     std::uint64_t json_bytes = 1ull << 30;

@@ -9,6 +9,7 @@
 
 #include "assets/error.h"
 #include "assets/import/gltf_files.h"
+#include "assets/import/gltf_picture_budget.h"
 #include "assets/import/image.h"
 
 namespace rambla::assets::gltf {
@@ -81,6 +82,7 @@ std::span<const std::byte> view_bytes(const Document& document, int index, const
 
 /// Decodes `wanted` images of the document; those that fail become placeholders.
 std::vector<Image> decode_all(const Document& document, const std::vector<std::uint32_t>& wanted) {
+    const std::vector<std::uint64_t> budgets = texel_budgets(document, wanted);
     std::vector<Image> images(wanted.size());
     std::vector<std::string> failures(wanted.size());
     tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
@@ -88,7 +90,8 @@ std::vector<Image> decode_all(const Document& document, const std::vector<std::u
         const std::string name = !source.name.empty() ? source.name : source.uri;
         try {
             const EncodedImage encoded = encoded_image(document, wanted[i]);
-            images[i] = decode_image(encoded.bytes(), encoded.name(), document.limits.image_size_px);
+            images[i] = decode_image(encoded.bytes(), encoded.name(),
+                                     {.size_px = document.limits.image_size_px, .texel_bytes = budgets[i]});
             images[i].name = name;
         } catch (const std::exception& error) {
             images[i] = placeholder_image(name);

@@ -11,7 +11,9 @@
 #include <string_view>
 
 #include "assets/error.h"
+#include "assets/import/exr.h"
 #include "assets/import/gltf_files.h"
+#include "assets/import/jpeg.h"
 #include "assets/import/png.h"
 
 namespace rambla::assets {
@@ -70,11 +72,39 @@ void spread_channels(std::vector<std::byte>& texels, std::size_t count, int chan
     }
 }
 
-/// A picture in memory, opened for reading.
+PixelFormat format_of(const OIIO::ImageSpec& spec) {
+    return spec.format.is_floating_point() ? PixelFormat::rgba32f : PixelFormat::rgba8;
+}
+
+/// What a library has read off the head, before it makes room for the rest.
+void check_size(const OIIO::ImageSpec& spec, const std::string& name, const PictureLimits& limits) {
+    const auto most_px = static_cast<std::int64_t>(limits.size_px);
+    const auto beyond = [&](int width, int height) {
+        return width > most_px || height > most_px;
+    };
+    if (spec.width < 1 || spec.height < 1 || beyond(spec.width, spec.height) || spec.depth > 1)
+        throw Error{name, "", std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
+                    "1 to " + std::to_string(most_px) + " each way"};
+    if (beyond(spec.tile_width, spec.tile_height) || spec.tile_depth > 1)
+        throw Error{name, "",
+                    "tiles of " + std::to_string(spec.tile_width) + " x " + std::to_string(spec.tile_height),
+                    "at most " + std::to_string(most_px) + " each way"};
+    constexpr int k_most_channels = 64;
+    if (spec.nchannels < 1 || spec.nchannels > k_most_channels)
+        throw Error{name, "", std::to_string(spec.nchannels) + " channels", "1 to 64"};
+    const auto texels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
+    const std::uint64_t bytes = texels * bytes_per_texel(format_of(spec));
+    if (bytes > limits.texel_bytes)
+        throw Error{name, "", std::to_string(bytes) + " bytes of texels",
+                    "at most " + std::to_string(limits.texel_bytes) + " for a file of this size"};
+}
+
+/// A picture in memory, opened for reading; its head keeps to the limits.
 class OpenPicture {
 public:
     /// @param bytes  must outlive the object  @throws Error
-    OpenPicture(std::span<const std::byte> bytes, const std::string& name) {
+    OpenPicture(std::span<const std::byte> bytes, const std::string& name, PictureLimits limits) {
+        limits.texel_bytes = std::min(limits.texel_bytes, most_texel_bytes(bytes.size()));
         const std::optional<std::string> format = format_of(bytes, name);
         if (!format)
             throw Error{name, "", bytes.empty() ? "an empty picture" : "an unknown picture format",
@@ -86,6 +116,8 @@ public:
             essential_ = essential_png(bytes, name);
             bytes = essential_;
         }
+        if (format_ == "jpeg") check_jpeg(bytes, name, limits.size_px);
+        if (format_ == "openexr") check_exr(bytes, name, limits.size_px);
         memory_.emplace(const_cast<std::byte*>(bytes.data()), bytes.size());
         OIIO::ImageSpec request;
         request.attribute("oiio:UnassociatedAlpha",
@@ -93,6 +125,7 @@ public:
         input_->threads(1);    // callers decode many pictures in parallel
         if (!input_->set_ioproxy(&*memory_) || !input_->open(name, spec_, request))
             throw Error{name, "", reason(input_.get()), ""};
+        check_size(spec_, name, limits);
     }
 
     [[nodiscard]] const std::string& format() const { return format_; }
@@ -107,21 +140,13 @@ private:
     std::unique_ptr<OIIO::ImageInput> input_;  ///< goes before the memory that it reads
 };
 
-void check_size(const OIIO::ImageSpec& spec, const std::string& name, std::uint32_t max_size_px) {
-    const auto limit = static_cast<std::int64_t>(max_size_px);
-    if (spec.width < 1 || spec.height < 1 || spec.width > limit || spec.height > limit || spec.depth > 1)
-        throw Error{name, "", std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
-                    "1 to " + std::to_string(max_size_px) + " each way"};
-    if (spec.nchannels < 1) throw Error{name, "", "no channels", "grey or colours"};
-}
-
 Image read_texels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name) {
-    const bool is_float = spec.format.is_floating_point();
     const int channels = std::min(spec.nchannels, k_channels);
     Image image;
     image.width = static_cast<std::uint32_t>(spec.width);
     image.height = static_cast<std::uint32_t>(spec.height);
-    image.format = is_float ? PixelFormat::rgba32f : PixelFormat::rgba8;
+    image.format = format_of(spec);
+    const bool is_float = image.format == PixelFormat::rgba32f;
     const std::size_t count = static_cast<std::size_t>(image.width) * image.height;
     image.texels.resize(count * bytes_per_texel(image.format));
     const OIIO::TypeDesc type = is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
@@ -134,8 +159,7 @@ Image read_texels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const st
     return image;
 }
 
-Image texels_of(OpenPicture& picture, const std::string& name, std::uint32_t max_size_px) {
-    check_size(picture.spec(), name, max_size_px);
+Image texels_of(OpenPicture& picture, const std::string& name) {
     Image image = read_texels(picture.input(), picture.spec(), name);
     picture.input().close();
     image.name = name;
@@ -144,25 +168,25 @@ Image texels_of(OpenPicture& picture, const std::string& name, std::uint32_t max
 
 }  // namespace
 
-Image read_image(const std::filesystem::path& file, std::uint32_t max_size_px) {
+Image read_image(const std::filesystem::path& file, const PictureLimits& limits) {
     const std::vector<unsigned char> bytes = gltf::read_file(file, k_largest_file);
-    Image image = decode_image(std::as_bytes(std::span{bytes}), file.string(), max_size_px);
+    Image image = decode_image(std::as_bytes(std::span{bytes}), file.string(), limits);
     image.name = file.filename().string();
     return image;
 }
 
-Image decode_image(std::span<const std::byte> bytes, const std::string& name, std::uint32_t max_size_px) {
-    OpenPicture picture{bytes, name};
-    return texels_of(picture, name, max_size_px);
+Image decode_image(std::span<const std::byte> bytes, const std::string& name, const PictureLimits& limits) {
+    OpenPicture picture{bytes, name, limits};
+    return texels_of(picture, name);
 }
 
 std::string picture_format(std::span<const std::byte> bytes, const std::string& name) {
     return format_of(bytes, name).value_or("unknown");
 }
 
-ImageWithFacts read_image_with_facts(const std::filesystem::path& file, std::uint32_t max_size_px) {
+ImageWithFacts read_image_with_facts(const std::filesystem::path& file, const PictureLimits& limits) {
     const std::vector<unsigned char> bytes = gltf::read_file(file, k_largest_file);
-    OpenPicture picture{std::as_bytes(std::span{bytes}), file.string()};
+    OpenPicture picture{std::as_bytes(std::span{bytes}), file.string(), limits};
     const OIIO::ImageSpec& spec = picture.spec();
     PictureFacts facts{.format = picture.format(),
                        .width = static_cast<std::uint32_t>(spec.width),
@@ -170,7 +194,7 @@ ImageWithFacts read_image_with_facts(const std::filesystem::path& file, std::uin
                        .channels = spec.channelnames,
                        .sample = spec.format.c_str(),
                        .file_bytes = bytes.size()};
-    Image image = texels_of(picture, file.string(), max_size_px);
+    Image image = texels_of(picture, file.string());
     image.name = file.filename().string();
     return {std::move(image), std::move(facts)};
 }

@@ -45,9 +45,9 @@ std::vector<int> texel(const Image& image, std::size_t index) {
     return out;
 }
 
-std::string error_of(const std::filesystem::path& file, std::uint32_t max_size_px = 16'384) {
+std::string error_of(const std::filesystem::path& file, const PictureLimits& limits = {}) {
     try {
-        static_cast<void>(read_image(file, max_size_px));
+        static_cast<void>(read_image(file, limits));
     } catch (const Error& error) {
         return error.what();
     }
@@ -145,8 +145,9 @@ TEST(ImageFiles, BrokenOnesAreErrorsThatNameTheFileAndNothingIsPrinted) {
 TEST(ImageFiles, SizeIsCheckedBeforeTexelsAreMade) {
     const ScratchFolder folder;
     write_image(folder.path() / "a.png", noise(33, 5, true));
-    EXPECT_EQ(error_of(folder.path() / "a.png", 33), "");
-    EXPECT_THAT(error_of(folder.path() / "a.png", 32), AllOf(HasSubstr("33 x 5"), HasSubstr("1 to 32")));
+    EXPECT_EQ(error_of(folder.path() / "a.png", {.size_px = 33}), "");
+    EXPECT_THAT(error_of(folder.path() / "a.png", {.size_px = 32}),
+                AllOf(HasSubstr("33 x 5"), HasSubstr("1 to 32")));
 }
 
 TEST(ImageFiles, WrongFormatForTheExtensionIsRefusedAndLeavesNothing) {
