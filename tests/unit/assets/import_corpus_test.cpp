@@ -6,9 +6,9 @@
 #include <map>
 #include <sstream>
 
-#include "assets/mesh_columns.h"
 #include "assets/process/tangents.h"
 #include "import_support.h"
+#include "support/scene_check.h"
 
 namespace rambla::assets::test {
 namespace {
@@ -27,76 +27,6 @@ std::vector<fs::path> gltf_files(const fs::path& folder) {
 
 bool is_one_line(const std::string& text) {
     return !text.empty() && text.find('\n') == std::string::npos;
-}
-
-void expect_motion_consistent(const Scene& scene, const std::string& file) {
-    for (const Mesh& mesh : scene.meshes)
-        for (const glm::vec4& w : mesh.weights) {
-            ASSERT_TRUE(w.x >= w.y && w.y >= w.z && w.z >= w.w && w.w >= 0.0f) << file;
-            ASSERT_NEAR(w.x + w.y + w.z + w.w, 1.0f, 1e-5f) << file;  // four roundings
-        }
-    for (const Skeleton& skeleton : scene.skeletons) {
-        ASSERT_EQ(skeleton.joint_from_mesh.size(), skeleton.joints.size()) << file;
-        for (const std::uint32_t joint : skeleton.joints)
-            ASSERT_LT(joint, scene.nodes.size()) << file;
-    }
-    for (const Clip& clip : scene.clips)
-        for (const Channel& channel : clip.channels) {
-            const std::size_t per_key =
-                channel.width * (channel.interpolation == Interpolation::cubic_spline ? 3u : 1u);
-            ASSERT_LT(channel.node, scene.nodes.size()) << file;
-            ASSERT_FALSE(channel.times_s.empty()) << file;
-            ASSERT_EQ(channel.values.size(), channel.times_s.size() * per_key) << file;
-            ASSERT_GE(channel.times_s.front(), 0.0f) << file;
-            ASSERT_LE(channel.times_s.back(), clip.duration_s) << file;
-            for (std::size_t k = 1; k < channel.times_s.size(); ++k)
-                ASSERT_LT(channel.times_s[k - 1], channel.times_s[k]) << file;
-            for (const float value : channel.values)
-                ASSERT_TRUE(std::isfinite(value)) << file;
-        }
-}
-
-void expect_consistent(const Scene& scene, const std::string& file) {
-    const auto below = [](std::uint32_t index, std::size_t size) {
-        return index == k_none || index < size;
-    };
-    for (const Mesh& mesh : scene.meshes) {
-        const std::size_t n = mesh.positions.size();
-        for (const std::uint32_t index : mesh.indices)
-            ASSERT_LT(index, n) << file;
-        for_each_column(
-            mesh, [&](const auto& column) { EXPECT_TRUE(column.empty() || column.size() == n) << file; });
-        for (const glm::vec3& p : mesh.positions)
-            ASSERT_TRUE(std::isfinite(p.x + p.y + p.z)) << file;
-        // Computed and given normals alike; 1e-3 is what files store.
-        for (const glm::vec3& normal : mesh.normals)
-            ASSERT_NEAR(glm::length(normal), 1.0f, 1e-3f) << file;
-        for (const glm::vec4& t : mesh.tangents)
-            ASSERT_NEAR(glm::length(glm::vec3{t}), 1.0f, 1e-3f) << file;
-    }
-    for (const Model& model : scene.models)
-        for (const ModelPart& part : model.parts) {
-            ASSERT_LT(part.mesh, scene.meshes.size()) << file;
-            ASSERT_TRUE(below(part.material, scene.materials.size())) << file;
-        }
-    for (const Texture& texture : scene.textures)
-        ASSERT_LT(texture.image, scene.images.size()) << file;
-    for (const Image& image : scene.images)
-        ASSERT_EQ(image.texels.size(),
-                  std::size_t{image.width} * image.height * bytes_per_texel(image.format))
-            << file;
-    for (const Node& node : scene.nodes) {
-        ASSERT_TRUE(below(node.parent, scene.nodes.size())) << file;
-        ASSERT_TRUE(below(node.model, scene.models.size())) << file;
-        ASSERT_TRUE(below(node.camera, scene.cameras.size())) << file;
-        ASSERT_TRUE(below(node.light, scene.lights.size())) << file;
-        ASSERT_TRUE(below(node.skeleton, scene.skeletons.size())) << file;
-        for (const std::uint32_t level : node.coarser)
-            ASSERT_LT(level, scene.nodes.size()) << file;
-    }
-    expect_motion_consistent(scene, file);
-    for (const std::uint32_t root : scene.roots)
-        ASSERT_LT(root, scene.nodes.size()) << file;
 }
 
 struct Counts {
@@ -188,7 +118,7 @@ void expect_refusal(const fs::path& file, const std::map<std::string, std::strin
 void expect_loaded(const fs::path& file, const std::map<std::string, std::string>& row) {
     const LogCapture log;
     const Scene scene = import_gltf(file);
-    expect_consistent(scene, file.string());
+    EXPECT_EQ(problem_of(scene), "") << file.string();
     EXPECT_EQ(counts_of(scene), counts_in(row)) << file;
     const std::vector<std::string> warnings = words(row.at("words"), ';');
     EXPECT_EQ(static_cast<std::size_t>(log.lines()), warnings.size()) << log.text();
