@@ -52,12 +52,15 @@ std::span<const Twins::Kind> Twins::kinds() {
     return k_kinds;
 }
 
-Twins::Twins(const WorldOptions& options, std::optional<Mirror::Watches> observed)
+Twins::Twins(const WorldOptions& options, std::optional<Mirror::Watches> observed, bool follows)
     : world_{options},
       mirror_{observed ? std::make_unique<Mirror>(world_, *observed) : nullptr},
+      follows_{follows},
       recordings_(k_recordings),
       queries_{std::make_unique<Queries>()},
-      replica_{std::make_unique<Replica>()} {}
+      replica_{std::make_unique<Replica>()} {
+    if (follows) hierarchy_.follow_ends();
+}
 
 Twins::~Twins() = default;
 
@@ -76,12 +79,14 @@ std::string_view Twins::name_of(const Operation& operation) {
 }
 
 void Twins::play(const Operation& operation) {
+    begun_ = world_.version();
     (this->*kinds()[operation.kind].perform)(operation);
     if (mirror_ != nullptr) check_mirror();
 }
 
 /// The model repeats what observers have recorded, then both must be the same.
 void Twins::check_mirror() {
+    stamp_ = begun_;
     for (const Mirror::Echo& echo : mirror_->settle(world_)) {
         ModelEntity* state = model_.find(echo.entity);
         if (state == nullptr) continue;
@@ -92,6 +97,7 @@ void Twins::check_mirror() {
         }
         settle(*state);
     }
+    stamp_.reset();
     mirror_->compare(model_.sums());
 }
 
@@ -138,13 +144,13 @@ std::optional<Entity> Twins::target(const Operation& operation) const {
 
 ModelEntity Twins::newborn() const {
     ModelEntity entity;
-    entity.written.fill(world_.version());
+    entity.written.fill(version_now());
     return entity;
 }
 
 void Twins::set(ModelEntity& entity, std::size_t part, std::uint64_t value) {
     model_.give(entity, part, value);
-    entity.written[part] = world_.version();
+    entity.written[part] = version_now();
 }
 
 void Twins::overwrite(ModelEntity& entity, std::size_t part, std::uint64_t value) {
@@ -159,7 +165,7 @@ void Twins::settle(ModelEntity& entity) const {
     }
     home |= entity.parts[part_number<Material>()].value_or(0) << 32u;
     home |= entity.parts[part_number<Tint>()].value_or(0) << 40u;
-    if (home != entity.home) entity.moved = world_.version();
+    if (home != entity.home) entity.moved = version_now();
     entity.home = home;
 }
 

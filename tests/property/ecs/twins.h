@@ -28,7 +28,8 @@ class Twins {
 public:
     /// @param observed  what observers keep a mirror of, which must then always be right; nothing: nobody
     ///                  observes
-    Twins(const WorldOptions& options, std::optional<Mirror::Watches> observed);
+    /// @param follows   whether orphans end by themselves
+    Twins(const WorldOptions& options, std::optional<Mirror::Watches> observed, bool follows);
     ~Twins();
 
     /// Relative frequency of each kind of operation.
@@ -71,6 +72,8 @@ private:
     /// The same for a value written through a reference, of which observers are not told.
     void overwrite(ModelEntity& entity, std::size_t part, std::uint64_t value);
     void unset(ModelEntity& entity, std::size_t part);
+    /// What is written and moved now counts as written in.
+    [[nodiscard]] std::uint32_t version_now() const { return stamp_.value_or(world_.version()); }
     [[nodiscard]] std::uint64_t order_of_rows() const;
     /// Notes whether the changes made to it moved it, at the end of an operation.
     void settle(ModelEntity& entity) const;
@@ -112,6 +115,9 @@ private:
     /// What ends and is freed with the given entities, as Parent says. Returns how many end.
     std::size_t end_below(std::vector<Entity> ending);
     std::size_t end_model_orphans();
+    void set_free(Entity entity);
+    /// After each call or playback that may have ended entities.
+    void follow_ends();
 
     // twins_commands.cpp
     Recording& recording(const Operation& operation);
@@ -119,7 +125,8 @@ private:
     void apply(const Operation& operation);
     void apply_all();
     void apply_alike(const Operation& operation);
-    void play_effects(std::span<const Recording> recordings, const Playback& playback);
+    /// @param version  the world's, of the playback: observers may have ended it since
+    void play_effects(std::span<const Recording> recordings, const Playback& playback, std::uint32_t version);
     void observe_more(const Operation& operation);
     void record_create(Recording& recording, const Operation& operation);
     template <class... Cs>
@@ -154,6 +161,10 @@ private:
     Model model_;
     std::unique_ptr<Mirror> mirror_;  ///< null: nobody observes
     Hierarchy hierarchy_{world_};
+    bool follows_;
+    std::uint32_t begun_ = 0;             ///< version in which the operation began: hierarchies end versions
+    std::optional<std::uint32_t> stamp_;  ///< see version_now()
+    std::size_t dead_before_ = 0;         ///< when orphans were last looked for
     CommandQueue queue_;
     std::vector<Recording> recordings_;
     std::unique_ptr<Queries> queries_;

@@ -136,8 +136,9 @@ void Twins::apply(const Operation& operation) {
 
 void Twins::apply_all() {
     say("apply");
+    const std::uint32_t version = world_.version();
     const Playback playback = queue_.apply(world_);
-    play_effects(std::exchange(recordings_, std::vector<Recording>(k_recordings)), playback);
+    play_effects(std::exchange(recordings_, std::vector<Recording>(k_recordings)), playback, version);
 }
 
 /// Many commands of one kind about the entities of one archetype, in any order; sometimes with one among
@@ -176,10 +177,14 @@ void Twins::apply_alike(const Operation& operation) {
         }
     }
     if (mirror_ != nullptr) mirror_->watch_order(world_, true);
-    play_effects({&recording, 1}, commands.apply(world_));
+    const std::uint32_t version = world_.version();
+    const Playback playback = commands.apply(world_);
+    play_effects({&recording, 1}, playback, version);
 }
 
-void Twins::play_effects(std::span<const Recording> recordings, const Playback& playback) {
+void Twins::play_effects(std::span<const Recording> recordings, const Playback& playback,
+                         std::uint32_t version) {
+    stamp_ = version;
     std::size_t applied = 0;
     std::size_t dropped = 0;
     for (const Recording& recording : recordings) {
@@ -188,6 +193,8 @@ void Twins::play_effects(std::span<const Recording> recordings, const Playback& 
     }
     for (auto& [key, entity] : model_.entities())
         settle(entity);
+    stamp_.reset();
+    follow_ends();
     expect(playback.applied == applied && playback.dropped == dropped, "what a playback says it did");
 }
 

@@ -89,6 +89,13 @@ std::vector<Entity> Twins::children_of(Entity parent) const {
     return children;
 }
 
+void Twins::set_free(Entity entity) {
+    stamp_ = begun_;
+    unset(model_.at(entity), part_number<Parent>());
+    settle(model_.at(entity));
+    stamp_.reset();
+}
+
 std::size_t Twins::end_below(std::vector<Entity> ending) {
     std::vector<Entity> freed;
     for (std::size_t i = 0; i < ending.size(); ++i) {
@@ -98,10 +105,7 @@ std::size_t Twins::end_below(std::vector<Entity> ending) {
             (survives ? freed : ending).push_back(child);
         }
     }
-    for (const Entity entity : freed) {
-        unset(model_.at(entity), part_number<Parent>());
-        settle(model_.at(entity));
-    }
+    std::ranges::for_each(freed, [&](Entity entity) { set_free(entity); });
     for (const Entity entity : ending)
         model_.died(entity);
     return ending.size();
@@ -113,6 +117,7 @@ void Twins::destroy_tree(const Operation& operation) {
     say("destroy the tree of " + to_string(*entity));
     const std::size_t ended = hierarchy_.destroy(*entity);
     expect(end_below({*entity}) == ended, "the number of those that end with a parent");
+    follow_ends();
 }
 
 std::size_t Twins::end_model_orphans() {
@@ -123,11 +128,18 @@ std::size_t Twins::end_model_orphans() {
         if (of->on_end == OnParentEnd::destroyed) {
             orphans.push_back(entity);
         } else {
-            unset(model_.at(entity), part_number<Parent>());
-            settle(model_.at(entity));
+            set_free(entity);
         }
     }
     return end_below(std::move(orphans));
+}
+
+void Twins::follow_ends() {
+    if (follows_ && model_.dead().size() != dead_before_) {
+        end_model_orphans();
+        if (mirror_ != nullptr) mirror_->watch_order(world_, false);  // a second playback begins anew
+    }
+    dead_before_ = model_.dead().size();
 }
 
 void Twins::end_orphans(const Operation& operation) {

@@ -72,6 +72,7 @@ void Twins::destroy(const Operation& operation) {
     say("destroy " + to_string(*entity));
     world_.destroy(*entity);
     model_.died(*entity);
+    follow_ends();
 }
 
 void Twins::destroy_kind(const Operation& operation) {
@@ -81,8 +82,10 @@ void Twins::destroy_kind(const Operation& operation) {
     std::erase_if(ending, [&](Entity entity) { return !model_.at(entity).has(part); });
     say("destroy all " + std::to_string(ending.size()) + " with part " + std::to_string(part));
     for (const Entity entity : ending) {
+        if (model_.find(entity) == nullptr) continue;  // as a child of another
         world_.destroy(entity);
         model_.died(entity);
+        follow_ends();
     }
 }
 

@@ -29,12 +29,13 @@ struct Setting {
     std::string_view name;
     WorldOptions options{};
     std::optional<Mirror::Watches> observed{};
+    bool follows = false;
 };
 
 Outcome play(const Sequence& sequence, const Setting& setting, std::string* trace = nullptr) {
     Outcome outcome;
     try {
-        Twins twins{setting.options, setting.observed};
+        Twins twins{setting.options, setting.observed, setting.follows};
         if (trace != nullptr) twins.trace_into(*trace);
         for (const Operation& operation : sequence) {
             LastWords::now_playing(outcome.played, Twins::name_of(operation));
@@ -100,11 +101,12 @@ TEST_P(RandomWorlds, AgreeWithANaiveModel) {
 TEST_P(RandomWorlds, AgreeWithAModelThatObserversKeep) {
     const Sequence sequence = random_sequence(100 + GetParam(), k_operations, Twins::weights());
     const auto watches = GetParam() % 2 == 0 ? Mirror::Watches::columns : Mirror::Watches::sparse_too;
-    const Outcome reserved = play_all(sequence, {"with observers", {}, watches});
+    const bool follows = GetParam() % 4 < 2;
+    const Outcome reserved = play_all(sequence, {"with observers", {}, watches, follows});
     ASSERT_FALSE(HasFailure());
 
     const WorldOptions in_blocks{.first_version = 0x7fffff00u, .reserve_address_space = false};
-    const Outcome moved = play_all(sequence, {"with observers, in blocks", in_blocks, watches});
+    const Outcome moved = play_all(sequence, {"with observers, in blocks", in_blocks, watches, follows});
     ASSERT_FALSE(HasFailure());
     EXPECT_EQ(moved.digest, reserved.digest) << "what observers are told depends on how memory grows";
 }
