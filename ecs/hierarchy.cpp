@@ -22,8 +22,7 @@ Entity living_parent(const World& world, Entity entity) {
 
 void make_unique(std::vector<Entity>& entities) {
     std::ranges::sort(entities, {}, &Entity::index);
-    const auto doubles = std::ranges::unique(entities);
-    entities.erase(doubles.begin(), doubles.end());
+    entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
 }
 
 /// @param first, last  a ring is closed by making `last`, an ancestor of itself or to become one, hang from
