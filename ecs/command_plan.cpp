@@ -11,6 +11,9 @@ namespace {
 /// How far ahead of their turn entity records and commands are fetched: they lie anywhere.
 constexpr std::size_t k_ahead = 16;
 
+/// An EnableState as it is when its component comes. Copied only, though writes do not say so.
+constinit std::byte enabled{0};
+
 }  // namespace
 
 void CommandPlan::make(ArchetypeGraph& graph, const EntityTable& entities, std::span<const Command> commands,
@@ -256,11 +259,18 @@ CommandPlan::Fate CommandPlan::fold_run(Archetype* from, std::span<const RowComm
                 if (held) {
                     at = &toggled(*at, component);
                     unset(component, first_write);
+                    if (part.info->companion != nullptr)
+                        unset(graph_->component(*part.info->companion), first_write);
                 } else {
                     drop(command);
                 }
             } else {
-                if (!held) at = &toggled(*at, component);
+                if (!held) {
+                    at = &toggled(*at, component);
+                    const bool comes_again = from != nullptr && from->has(component);
+                    if (const ComponentInfo* companion = part.info->companion; comes_again && companion)
+                        set({&enabled, companion, graph_->component(*companion)}, first_write);
+                }
                 set({command.values + part.offset, part.info, component}, first_write);
             }
         }

@@ -32,6 +32,9 @@ void Twins::record(const Operation& operation) {
         case 2:
         case 3:
             return record_remove(recording, entity, operation);
+        case 4:  // goes, and comes again as another
+            record_remove(recording, entity, operation);
+            return record_add(recording, entity, operation);
         default:
             return record_add(recording, entity, operation);
     }

@@ -110,6 +110,34 @@ TEST(Commands, DropWhatHasNoTargetAndSaySo) {
     EXPECT_EQ(Anchored::alive, 0) << "values that found no place end";
 }
 
+TEST(Commands, WhatGoesAndComesAgainInOnePlaybackIsEnabled) {
+    for (const bool moves : {false, true}) {
+        World world;
+        const Entity entity = world.create(Light{1.0f});
+        world.set_enabled<Light>(entity, false);
+        Commands commands;
+        commands.remove<Light>(entity);
+        commands.add(entity, Light{2.0f});
+        if (moves) commands.add(entity, Health{});
+        commands.apply(world);
+        EXPECT_EQ(world.get<Light>(entity).lux, 2.0f);
+        EXPECT_TRUE(world.enabled<Light>(entity)) << moves;
+
+        world.set_enabled<Light>(entity, false);
+        commands.remove<Light>(entity);
+        commands.add(entity, Light{});
+        commands.remove<Light>(entity);
+        commands.apply(world);
+        EXPECT_FALSE(world.has<Light>(entity));
+
+        world.add(entity, Light{});
+        world.set_enabled<Light>(entity, false);
+        commands.add(entity, Light{3.0f});
+        commands.apply(world);
+        EXPECT_FALSE(world.enabled<Light>(entity)) << "a value replaced switches nothing";
+    }
+}
+
 TEST(Commands, MoveValuesThatKnowTheirAddress) {
     {
         World world;
