@@ -1,10 +1,11 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <random>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "bench/ecs/parts.h"
@@ -90,21 +91,27 @@ private:
     std::vector<Force> forces_;
 };
 
-/// Ten tenths of all entities, each at random places in random order.
+/// Tenths of all entities at random places in random order, each chosen anew: were an entity always chosen
+/// with the same others, they would come to lie side by side, and nothing would be random after a while.
 class Tenths {
 public:
-    explicit Tenths(std::vector<Entity> entities) : entities_{std::move(entities)} {
+    explicit Tenths(std::vector<Entity> entities) {
         std::mt19937 random{1};
-        std::ranges::shuffle(entities_, random);
+        const std::size_t size = entities.size() / 10;
+        for (std::vector<Entity>& tenth : tenths_) {
+            for (std::size_t i = 0; i < size; ++i)
+                std::swap(entities[i],
+                          entities[std::uniform_int_distribution{i, entities.size() - 1}(random)]);
+            tenth.assign(entities.begin(), entities.begin() + static_cast<std::ptrdiff_t>(size));
+        }
     }
     std::span<const Entity> next() {
-        const std::size_t size = entities_.size() / 10;
-        turn_ = (turn_ + 1) % 10;
-        return std::span{entities_}.subspan(turn_ * size, size);
+        turn_ = (turn_ + 1) % tenths_.size();
+        return tenths_[turn_];
     }
 
 private:
-    std::vector<Entity> entities_;
+    std::array<std::vector<Entity>, 50> tenths_;
     std::size_t turn_ = 0;
 };
 
