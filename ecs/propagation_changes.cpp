@@ -99,6 +99,10 @@ void PropagationChanges::finish(World& world, const ComponentInfo* local,
     for (std::size_t c = 0; any_ && c < written_.size(); ++c) {
         if (written_[c] == 0) continue;
         const HierarchyNodes::Chunk& chunk = nodes_.chunks()[c];
+        if (chunk.archetype == nullptr) {  // parents outside, of a segment that was written as a whole
+            written_[c] = 0;
+            continue;
+        }
         if ((written_[c] & k_wrote_local) != 0) stamp(chunk, local);
         for (const ComponentInfo* output : outputs)
             stamp(chunk, output);

@@ -81,6 +81,19 @@ TEST_F(PropagationTo, ParentsThatAreNoMembersCountAsTheyAre) {
     EXPECT_EQ(path(handle), of_child(of_child({1}, {1}), {5}).value);
 }
 
+TEST_F(PropagationTo, EveryChildOfAParentOutsideThatRests) {
+    const Entity outside = world.create(Path{7});
+    const Entity a = child(outside, 1);
+    propagate();
+    // All rows have something to do while what they hang from has not: the segment is written as a whole.
+    for (const std::uint64_t step : {2u, 3u}) {
+        world.get_mut<Step>(a).value = step;
+        EXPECT_EQ(propagate(), 1);
+        EXPECT_EQ(path(a), of_child({7}, Step{step}).value);
+    }
+    EXPECT_EQ(path(outside), 7u);
+}
+
 TEST_F(PropagationTo, OrphansRest) {
     const Entity top = root(1), middle = child(top, 2), leaf = child(middle, 3);
     propagate();
