@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -137,6 +138,72 @@ struct WheelSpin {
     glm::quat rest{1.0f, 0.0f, 0.0f, 0.0f};
 };
 
+/// A clip being played. The clip is an index into the ClipLibrary.
+struct ClipCursor {
+    std::uint32_t clip = assets::k_none;  ///< k_none: the pose of the file
+    double time_s = 0.0;                  ///< into the clip
+    float speed = 1.0f;                   ///< clip seconds per second; 0 rests, negative plays backwards
+    bool looping = true;                  ///< false: holds at the end
+};
+
+/// Moves the AnimatedNodes and MorphWeights that name its entity. See cross_fade().
+struct AnimationPlayer {
+    ClipCursor playing;
+    ClipCursor fading;  ///< what is faded from while fade_left_s > 0
+    float fade_s = 0.0f;
+    float fade_left_s = 0.0f;
+};
+
+/// A node whose LocalTransform is what its player's clip says. What the clip says nothing about is at rest.
+struct AnimatedNode {
+    ecs::Entity player;
+    std::uint32_t node = assets::k_none;  ///< what the clips call it
+    LocalTransform rest;
+    std::array<std::uint32_t, 6> hints{};  ///< where the keys were last found: speed only, no state
+};
+
+/// Weights of the morph targets of one node, each an entity with a MorphWeight.
+struct Morph {
+    std::uint32_t count = 0;
+};
+
+/// Weight of one morph target.
+struct MorphWeight {
+    ecs::Entity morph;
+    ecs::Entity player;                   ///< null: stays as it is
+    std::uint32_t node = assets::k_none;  ///< what the clips call it
+    std::uint32_t target = 0;             ///< < Morph::count
+    float rest = 0.0f;
+    float value = 0.0f;
+    float previous = 0.0f;                 ///< of the step before
+    std::array<std::uint32_t, 2> hints{};  ///< as AnimatedNode::hints
+};
+
+/// A skeleton of the ClipLibrary in the world: its joints are nodes, each named by an entity with a
+/// SkinJoint.
+struct Skin {
+    std::uint32_t skeleton = assets::k_none;
+    ecs::Entity root;  ///< the node of its first joint; the joints' matrices count from that one's cell
+};
+
+/// Which entity is a joint of a skin. A node may be a joint of several.
+struct SkinJoint {
+    ecs::Entity skin;
+    ecs::Entity node;
+    std::uint32_t joint = 0;  ///< row of the skeleton
+};
+
+/// A renderable whose vertices follow a skin: its WorldTransform and LocalBounds follow from it and are
+/// written by the deformation systems.
+struct Skinned {
+    ecs::Entity skin;
+};
+
+/// A renderable whose vertices follow morph weights: its LocalBounds are written by the deformation systems.
+struct Morphed {
+    ecs::Entity morph;
+};
+
 }  // namespace rambla::systems
 
 /// Members that hold entities, for recorded commands.
@@ -147,4 +214,29 @@ struct rambla::ecs::entity_members<rambla::systems::GaitLimb> {
 template <>
 struct rambla::ecs::entity_members<rambla::systems::WheelSpin> {
     static constexpr std::tuple value{&rambla::systems::WheelSpin::actor};
+};
+template <>
+struct rambla::ecs::entity_members<rambla::systems::AnimatedNode> {
+    static constexpr std::tuple value{&rambla::systems::AnimatedNode::player};
+};
+template <>
+struct rambla::ecs::entity_members<rambla::systems::MorphWeight> {
+    static constexpr std::tuple value{&rambla::systems::MorphWeight::morph,
+                                      &rambla::systems::MorphWeight::player};
+};
+template <>
+struct rambla::ecs::entity_members<rambla::systems::Skin> {
+    static constexpr std::tuple value{&rambla::systems::Skin::root};
+};
+template <>
+struct rambla::ecs::entity_members<rambla::systems::SkinJoint> {
+    static constexpr std::tuple value{&rambla::systems::SkinJoint::skin, &rambla::systems::SkinJoint::node};
+};
+template <>
+struct rambla::ecs::entity_members<rambla::systems::Skinned> {
+    static constexpr std::tuple value{&rambla::systems::Skinned::skin};
+};
+template <>
+struct rambla::ecs::entity_members<rambla::systems::Morphed> {
+    static constexpr std::tuple value{&rambla::systems::Morphed::morph};
 };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "assets/bounds.h"
 #include "assets/environment.h"
 
 namespace rambla::systems {
@@ -30,20 +31,24 @@ struct Pipeline {
     std::uint8_t alpha = 0;     ///< assets::AlphaMode
     std::uint8_t topology = 0;  ///< assets::Topology
     bool unlit = false;
+    bool skinned = false;  ///< vertices follow Instance::joints instead of its rows
+    bool morphed = false;  ///< vertices are changed by Instance::morphs before that
 
     bool operator==(const Pipeline&) const = default;
 };
 
 [[nodiscard]] constexpr std::uint32_t pack(Pipeline p) {
-    return (p.topology << 5u) | (p.alpha << 3u) | (p.unlit ? 4u : 0u) | (p.double_sided ? 2u : 0u) |
-           (p.mirrored ? 1u : 0u);
+    return (p.morphed ? 256u : 0u) | (p.skinned ? 128u : 0u) | (p.topology << 5u) | (p.alpha << 3u) |
+           (p.unlit ? 4u : 0u) | (p.double_sided ? 2u : 0u) | (p.mirrored ? 1u : 0u);
 }
 [[nodiscard]] constexpr Pipeline unpack_pipeline(std::uint32_t bits) {
     return {.double_sided = (bits & 2u) != 0,
             .mirrored = (bits & 1u) != 0,
             .alpha = static_cast<std::uint8_t>((bits >> 3u) & 3u),
             .topology = static_cast<std::uint8_t>((bits >> 5u) & 3u),
-            .unlit = (bits & 4u) != 0};
+            .unlit = (bits & 4u) != 0,
+            .skinned = (bits & 128u) != 0,
+            .morphed = (bits & 256u) != 0};
 }
 
 /// One drawn thing, as it lies in the instance buffer on the GPU (render/shaders/shared/instance.h mirrors
@@ -54,10 +59,23 @@ struct Instance {
     glm::vec4 row2{0.0f, 0.0f, 1.0f, 0.0f};
     std::uint32_t material = 0;
     std::uint32_t object = 0;  ///< entity index, for picking
-    std::uint32_t reserved0 = 0;
-    std::uint32_t reserved1 = 0;
+    std::uint32_t joints = 0;  ///< skinned: row of Frame::joints that is joint 0
+    std::uint32_t morphs = 0;  ///< morphed: first of its terms in Frame::morphs
 };
 static_assert(sizeof(Instance) == 64);
+
+/// Rows of the affine camera-relative map from the space of a skinned mesh to where one joint brings it.
+struct JointMatrix {
+    glm::vec4 row0{1.0f, 0.0f, 0.0f, 0.0f};
+    glm::vec4 row1{0.0f, 1.0f, 0.0f, 0.0f};
+    glm::vec4 row2{0.0f, 0.0f, 1.0f, 0.0f};
+};
+
+/// A morph target and how much of it is added. A list of them ends with weight 0.
+struct MorphTerm {
+    std::uint32_t target = 0;  ///< counted over the targets of all the scene's meshes
+    float weight = 0.0f;
+};
 
 /// Neighbours in a sorted queue with equal pipeline, material and mesh: one instanced draw.
 struct DrawBatch {
@@ -112,12 +130,15 @@ struct Frame {
     FrameView view;
     assets::Environment environment;
     std::vector<Instance> instances;
+    std::vector<JointMatrix> joints;  ///< of the skins of what is drawn, by renderables that share a skin
+    std::vector<MorphTerm> morphs;
     std::vector<DrawBatch>
         opaque;  ///< alpha modes opaque and mask: by pipeline, material, mesh, front to back
     std::vector<DrawBatch> blended;  ///< back to front
     CasterColumns casters;
     std::vector<FrameLight> lights;
-    bool emissive = false;  ///< some visible material emits or is unlit: the emission target is needed
+    assets::Bounds visible;  ///< around all that `opaque` and `blended` show; empty if that is nothing
+    bool emissive = false;   ///< some visible material emits or is unlit: the emission target is needed
     CaptureRequest capture;
     FrameCounts counts;
     std::shared_ptr<const void>

@@ -31,9 +31,10 @@ struct Pack {
     PackQueues queues;
 
     void operator()(ecs::Res<Culling> culling, ecs::Res<Look> look, ecs::Res<MaterialFacts> facts,
+                    ecs::Res<Deformations> poses, ecs::Res<ClipLibrary> library,
                     ecs::ResMut<FrameUnderWork> work) {
         Frame& frame = *work->frame;
-        queues(*culling, look->observer, look->forward, *facts, frame);
+        queues(*culling, look->observer, look->forward, *facts, {*poses, *library}, frame);
         frame.counts.renderables = static_cast<std::uint32_t>(culling->seen_by().size());
         frame.counts.broken_bounds = culling->broken_bounds();
     }
@@ -45,12 +46,13 @@ Looking make_looking() {
     Looking looking{std::make_unique<ecs::Schedule>()};
     ecs::Schedule& schedule = *looking.schedule;
     schedule.add("culling", cull_all)
-        .reads<WorldTransform, PreviousWorldTransform, Renderable, LocalBounds>();
+        .reads<WorldTransform, PreviousWorldTransform, Renderable, LocalBounds, Skinned, Morphed>();
     schedule.add("lights", FindLights{}).reads<WorldTransform, PreviousWorldTransform, LocalLight>();
     schedule.add("packing", Pack{})
         .after("culling")
         .after("lights")
-        .reads<WorldTransform, PreviousWorldTransform, Renderable>();  // through what culling found
+        .reads<WorldTransform, PreviousWorldTransform, Renderable, Skinned,
+               Morphed>();  // through what culling found
     return looking;
 }
 

@@ -8,6 +8,8 @@
 #include "systems/look/projection.h"
 #include "systems/looking.h"
 #include "systems/position.h"
+#include "systems/simulate/clip_library.h"
+#include "systems/simulate/deformation.h"
 #include "systems/simulate/paths.h"
 #include "systems/simulate/transform.h"
 #include "systems/simulation.h"
@@ -68,6 +70,8 @@ std::size_t worker_threads(const ecs::World& world) {
 void step(ecs::World& world) {
     ensure<Paths>(world);
     ensure<Clock>(world);
+    ensure<ClipLibrary>(world);
+    ensure<Deformations>(world);
     if (!world.has_resource<Simulation>()) world.set_resource(make_simulation());
     ecs::Schedule& schedule = *world.resource<Simulation>().schedule;
     schedule.run(world);
@@ -78,6 +82,8 @@ void build_frame(ecs::World& world, const Eye& eye, float interpolation, Frame& 
     if (!world.has_resource<Looking>()) world.set_resource(make_looking());
     ensure<Culling>(world);
     ensure<MaterialFacts>(world);
+    ensure<ClipLibrary>(world);
+    ensure<Deformations>(world);
     auto& looking = world.resource<Looking>();
     auto& look = ensure<Look>(world);
     const std::uint64_t steps = ensure<Clock>(world).steps;

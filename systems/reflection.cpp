@@ -121,6 +121,65 @@ struct reflection<WheelSpin> {
                                       .field("rest", &WheelSpin::rest, {.min = -1.0, .max = 1.0});
 };
 template <>
+struct reflection<ClipCursor> {
+    static constexpr auto value = describe<ClipCursor>("clip_cursor")
+                                      .field("clip", &ClipCursor::clip)
+                                      .field("time_s", &ClipCursor::time_s, {.unit = "s", .min = 0.0})
+                                      .field("speed", &ClipCursor::speed)
+                                      .field("looping", &ClipCursor::looping);
+};
+template <>
+struct reflection<AnimationPlayer> {
+    static constexpr auto value =
+        describe<AnimationPlayer>("animation_player")
+            .field("playing", &AnimationPlayer::playing)
+            .field("fading", &AnimationPlayer::fading)
+            .field("fade_s", &AnimationPlayer::fade_s, {.unit = "s", .min = 0.0})
+            .field("fade_left_s", &AnimationPlayer::fade_left_s, {.unit = "s", .min = 0.0});
+};
+template <>
+struct reflection<AnimatedNode> {
+    static constexpr auto value = describe<AnimatedNode>("animated_node")
+                                      .field("player", &AnimatedNode::player)
+                                      .field("node", &AnimatedNode::node)
+                                      .field("rest", &AnimatedNode::rest);
+};
+template <>
+struct reflection<Morph> {
+    static constexpr auto value = describe<Morph>("morph").field("count", &Morph::count);
+};
+template <>
+struct reflection<MorphWeight> {
+    static constexpr auto value = describe<MorphWeight>("morph_weight")
+                                      .field("morph", &MorphWeight::morph)
+                                      .field("player", &MorphWeight::player)
+                                      .field("node", &MorphWeight::node)
+                                      .field("target", &MorphWeight::target)
+                                      .field("rest", &MorphWeight::rest)
+                                      .field("value", &MorphWeight::value)
+                                      .field("previous", &MorphWeight::previous);
+};
+template <>
+struct reflection<Skin> {
+    static constexpr auto value =
+        describe<Skin>("skin").field("skeleton", &Skin::skeleton).field("root", &Skin::root);
+};
+template <>
+struct reflection<SkinJoint> {
+    static constexpr auto value = describe<SkinJoint>("skin_joint")
+                                      .field("skin", &SkinJoint::skin)
+                                      .field("node", &SkinJoint::node)
+                                      .field("joint", &SkinJoint::joint);
+};
+template <>
+struct reflection<Skinned> {
+    static constexpr auto value = describe<Skinned>("skinned").field("skin", &Skinned::skin);
+};
+template <>
+struct reflection<Morphed> {
+    static constexpr auto value = describe<Morphed>("morphed").field("morph", &Morphed::morph);
+};
+template <>
 struct reflection<Clock> {
     static constexpr auto value = describe<Clock>("clock").field("steps", &Clock::steps, {.unit = "steps"});
 };
@@ -151,6 +210,14 @@ ecs::TypeRegistry component_registry() {
     registry.add<Gait>();
     registry.add<GaitLimb>();
     registry.add<WheelSpin>();
+    registry.add<AnimationPlayer>();
+    registry.add<AnimatedNode>();
+    registry.add<Morph>();
+    registry.add<MorphWeight>();
+    registry.add<Skin>();
+    registry.add<SkinJoint>();
+    registry.add<Skinned>();
+    registry.add<Morphed>();
     registry.add_resource<Clock>();
     registry.add_resource<SavedPlace>();
     return registry;

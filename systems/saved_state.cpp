@@ -8,6 +8,8 @@
 #include "ecs/query.h"
 #include "ecs/snapshot.h"
 #include "systems/reflection.h"
+#include "systems/simulate/clip_library.h"
+#include "systems/simulate/deformation.h"
 #include "systems/simulate/paths.h"
 
 namespace rambla::systems {
@@ -43,6 +45,36 @@ void check_followers(const ecs::World& world) {
     });
 }
 
+/// Throws unless `index` is one of `count`.
+void check_index(const char* what, std::uint32_t index, std::uint32_t count) {
+    if (index < count) return;
+    throw ecs::SnapshotError{0, fmt::format("{} {}", what, index), fmt::format("one of {}", count)};
+}
+
+/// What deforms uses skeletons, joints and meshes as indices. Clips and nodes that there are not just rest.
+void check_deformed(const ecs::World& world) {
+    const ClipLibrary& library = world.resource<ClipLibrary>();
+    ecs::Query<const Skin>{}.each(world, [&](const Skin& skin) {
+        check_index("a skin of skeleton", skin.skeleton, library.skeleton_count());
+    });
+    ecs::Query<const Renderable, ecs::With<Morphed>>{}.each(world, [&](const Renderable& drawn) {
+        check_index("a morphed mesh", drawn.mesh, library.mesh_count());
+    });
+    ecs::Query<const Renderable, const Skinned>{}.each(
+        world, [&](const Renderable& drawn, const Skinned& skinned) {
+            check_index("a skinned mesh", drawn.mesh, library.mesh_count());
+            const Skin* const skin = world.alive(skinned.skin) ? world.try_get<Skin>(skinned.skin) : nullptr;
+            const std::vector<JointBox>& used = library.mesh(drawn.mesh).joint_boxes;
+            if (skin == nullptr || used.empty()) return;
+            const std::size_t joints = library.joint_from_mesh(skin->skeleton).size();
+            check_index("a mesh of joint", used.back().joint, static_cast<std::uint32_t>(joints));
+        });
+    ecs::Query<const SkinJoint>{}.each(world, [&](const SkinJoint& joint) {
+        if (world.alive(joint.node) && !world.has<WorldTransform>(joint.node))
+            throw ecs::SnapshotError{0, "a joint that is nowhere", "one with a world_transform"};
+    });
+}
+
 }  // namespace
 
 std::vector<std::byte> save_state(ecs::World& world, const SavedPlace& place) {
@@ -63,10 +95,14 @@ std::unique_ptr<ecs::World> load_state(std::span<const std::byte> bytes, const e
         throw ecs::SnapshotError{0, "a state of " + found, "one of " + to_text(place)};
     }
     world.set_resource(Paths{});
+    world.set_resource(ClipLibrary{});
     take_over<Paths>(world, spawned);
     take_over<Sunlight>(world, spawned);
     take_over<MaterialFacts>(world, spawned);
+    take_over<ClipLibrary>(world, spawned);
     check_followers(world);
+    check_deformed(world);
+    settle_deformations(world);
     return std::move(restored.world);
 }
 

@@ -2,6 +2,8 @@
 
 #include "systems/components.h"
 #include "systems/simulate/actors.h"
+#include "systems/simulate/animation.h"
+#include "systems/simulate/deformation.h"
 #include "systems/simulate/transform.h"
 
 namespace rambla::systems {
@@ -19,10 +21,16 @@ Simulation make_simulation() {
     schedule.add("actors", follow_paths);
     schedule.add("limbs", swing_limbs).after("actors");
     schedule.add("wheels", roll_wheels).after("limbs");
+    schedule.add("players", advance_players);
+    schedule.add("poses", pose_nodes).after("players").after("wheels");
+    schedule.add("morph weights", pose_weights).after("players");
     schedule.add("transforms", TransformPropagation{})
-        .after("wheels")
+        .after("poses")
         .reads<Parent>()
         .writes<LocalTransform, Cell, WorldTransform, PreviousWorldTransform>();
+    schedule.add("deformations", gather_deformations).after("transforms").after("morph weights");
+    schedule.add("bounds of morphed", bound_morphed).after("deformations");
+    schedule.add("bounds of skinned", bound_skinned).after("bounds of morphed");
     schedule.add("clock", count_step);
     return simulation;
 }

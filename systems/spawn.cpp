@@ -5,6 +5,7 @@
 
 #include "systems/position.h"
 #include "systems/simulate/actors.h"
+#include "systems/simulate/deformation.h"
 #include "systems/simulate/gait.h"
 #include "systems/simulate/paths.h"
 #include "systems/simulate/random.h"
@@ -44,9 +45,8 @@ bool is_torso(const assets::Scene& scene, std::uint32_t node) {
     return node != assets::k_none && scene.nodes[node].name == "torso";
 }
 
-void add_limbs(ecs::World& world, const assets::Scene& scene, std::span<const SpawnedNode> parts,
-               const Gait& gait) {
-    const ecs::Entity actor = parts[0].entity;
+void add_limbs(ecs::World& world, const assets::Scene& scene, ecs::Entity actor,
+               std::span<const SpawnedNode> parts, const Gait& gait) {
     for (const SpawnedNode& part : parts) {
         const assets::Node& node = scene.nodes[part.node];
         for (const NamedLimb& limb : k_limbs) {
@@ -70,13 +70,14 @@ float leg_length_m(const assets::Scene& scene, std::span<const SpawnedNode> part
     return Gait{}.leg_length_m;
 }
 
-void add_wheels(ecs::World& world, const assets::Scene& scene, std::span<const SpawnedNode> parts) {
+void add_wheels(ecs::World& world, const assets::Scene& scene, ecs::Entity actor,
+                std::span<const SpawnedNode> parts) {
     for (const SpawnedNode& part : parts) {
         if (scene.nodes[part.node].name.rfind(k_wheel, 0) != 0) continue;
         const float radius = height_in_actor_m(scene, part.node, parts[0].node);
         if (!(radius > 0.0f)) continue;
         const glm::quat rest = world.get<LocalTransform>(part.entity).rotation;
-        world.add(part.entity, WheelSpin{parts[0].entity, radius, rest});
+        world.add(part.entity, WheelSpin{actor, radius, rest});
     }
 }
 
@@ -88,15 +89,17 @@ void spawn_actor(ecs::World& world, const assets::Scene& scene, const assets::Ac
     const PathFollower follower = starting(graph, first_link, start);
     const WorldPosition place = place_of(graph, follower);
 
-    const auto parts = spawn_subtrees(world, scene, std::span{&start.prototype, 1}, origin, Mobility::moving);
-    const ecs::Entity root = parts[0].entity;
+    const SpawnedSubtrees spawned =
+        spawn_subtrees(world, scene, std::span{&start.prototype, 1}, origin, Mobility::moving);
+    const std::vector<SpawnedNode>& parts = spawned.nodes;
+    const ecs::Entity root = spawned.root();
     world.add(root, follower);
     world.get_mut<Cell>(root).value = place.cell;
     LocalTransform& local = world.get_mut<LocalTransform>(root);
     local.translation_m = place.local_m;
     local.rotation = facing(follower.heading);
     if (car) {
-        add_wheels(world, scene, parts);
+        add_wheels(world, scene, root, parts);
         return;
     }
     Gait gait;
@@ -105,7 +108,7 @@ void spawn_actor(ecs::World& world, const assets::Scene& scene, const assets::Ac
     gait = advanced(gait, follower.speed_m_s, 0.0f, local.scale.y);
     local.translation_m.y -= pelvis_drop_m(gait) * local.scale.y;
     world.add(root, gait);
-    add_limbs(world, scene, parts, gait);
+    add_limbs(world, scene, root, parts, gait);
 }
 
 }  // namespace
@@ -113,17 +116,20 @@ void spawn_actor(ecs::World& world, const assets::Scene& scene, const assets::Ac
 SpawnedScene spawn(ecs::World& world, const assets::Scene& scene, const WorldPosition& origin) {
     if (!world.has_resource<Sunlight>()) world.set_resource(Sunlight{assets::noon()});
     note_materials(world, scene);
+    note_clips(world, scene);
     SpawnedScene spawned;
     spawned.nodes.resize(scene.nodes.size());
-    for (const SpawnedNode& made : spawn_subtrees(world, scene, scene.roots, origin, Mobility::fixed)) {
-        spawned.nodes[made.node] = made.entity;
-    }
+    const SpawnedSubtrees made = spawn_subtrees(world, scene, scene.roots, origin, Mobility::fixed);
+    for (const SpawnedNode& one : made.nodes)
+        spawned.nodes[one.node] = one.entity;
+    if (made.stand != ecs::Entity{} && world.has<AnimationPlayer>(made.stand)) spawned.player = made.stand;
+    settle_deformations(world);
     return spawned;
 }
 
 ecs::Entity spawn_prototype(ecs::World& world, const assets::Scene& scene, std::uint32_t node,
                             const WorldPosition& origin, Mobility mobility) {
-    return spawn_subtrees(world, scene, std::span{&node, 1}, origin, mobility)[0].entity;
+    return spawn_subtrees(world, scene, std::span{&node, 1}, origin, mobility).root();
 }
 
 SpawnedScene spawn(ecs::World& world, const assets::Place& place, const WorldPosition& origin,
@@ -141,6 +147,7 @@ SpawnedScene spawn(ecs::World& world, const assets::Place& place, const WorldPos
         spawn_actor(world, place.scene, start, car ? first_lane : first_pavement, origin);
     }
     settle(world);
+    settle_deformations(world);
     return spawned;
 }
 

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "systems/frame.h"
 #include "systems/position.h"
+#include "systems/simulate/clip_library.h"
 #include "systems/simulate/transform.h"
 #include "systems/simulate/trigonometry.h"
+#include "systems/spawn_skins.h"
 
 namespace rambla::systems {
 namespace {
@@ -30,14 +31,6 @@ Placement operator*(const Placement& parent, const assets::Transform& local) {
 
 LocalTransform local_of(const assets::Transform& transform) {
     return {transform.translation_m, renormalised(transform.rotation), transform.scale};
-}
-
-std::uint32_t pipeline_of(const assets::Material& material, assets::Topology topology) {
-    return pack({.double_sided = material.double_sided,
-                 .mirrored = false,
-                 .alpha = static_cast<std::uint8_t>(material.alpha_mode),
-                 .topology = static_cast<std::uint8_t>(topology),
-                 .unlit = material.unlit});
 }
 
 LocalBounds bounds_of(const assets::Mesh& mesh) {
@@ -65,24 +58,33 @@ LocalLight local_light(const assets::Light& light) {
 class Spawner {
 public:
     Spawner(ecs::World& world, const assets::Scene& scene, const WorldPosition& origin, Mobility mobility)
-        : world_{world}, scene_{scene}, origin_{normalised(origin)}, moving_{mobility == Mobility::moving} {}
+        : world_{world},
+          scene_{scene},
+          library_{world.resource<ClipLibrary>()},
+          origin_{normalised(origin)},
+          moving_{mobility == Mobility::moving} {}
 
-    std::vector<SpawnedNode> operator()(std::span<const std::uint32_t> roots) {
+    SpawnedSubtrees operator()(std::span<const std::uint32_t> roots) {
+        made_.stand = stand_for(roots);
         std::vector<Pending> open;
         for (const std::uint32_t root : roots)
-            open.push_back({root, {}, {}});
+            open.push_back({root, made_.stand, {}, moving_});
         std::reverse(open.begin(), open.end());
         while (!open.empty()) {
             const Pending pending = open.back();
             open.pop_back();
-            const assets::Node& node = scene_.nodes.at(pending.node);
+            const assets::Node& node = scene_.nodes[pending.node];
             const Placement placement = pending.parent_placement * node.local;
-            const ecs::Entity entity = node_entity(node, pending.parent, placement);
-            made_.push_back({pending.node, entity});
+            const bool moving = pending.parent_moves || library_.moves(pending.node);
+            const ecs::Entity entity = node_entity(pending.node, pending.parent, placement, moving);
+            made_.nodes.push_back({pending.node, entity});
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-                open.push_back({*child, entity, placement});
+                open.push_back({*child, entity, placement, moving});
             }
         }
+        SkinSpawner skins{world_, scene_, made_};
+        for (const SkinnedPart& part : skinned_parts_)
+            skins.add(part);
         return std::move(made_);
     }
 
@@ -91,13 +93,39 @@ private:
         std::uint32_t node;
         ecs::Entity parent;
         Placement parent_placement;
+        bool parent_moves;
     };
 
-    ecs::Entity node_entity(const assets::Node& node, ecs::Entity parent, const Placement& placement) {
+    /// The entity above the roots, if any of what lies under them is animated or skinned.
+    ecs::Entity stand_for(std::span<const std::uint32_t> roots) {
+        bool plays = false;
+        bool skins = false;
+        std::vector<std::uint32_t> open{roots.begin(), roots.end()};
+        while (!open.empty()) {
+            const std::uint32_t index = open.back();
+            open.pop_back();
+            const assets::Node& node = scene_.nodes.at(index);
+            plays = plays || library_.moves(index) || library_.morphs(index);
+            skins = skins || node.skeleton != assets::k_none;
+            open.insert(open.end(), node.children.begin(), node.children.end());
+        }
+        if (!plays && !skins) return {};
+        const LocalTransform local{origin_.local_m, {1.0f, 0.0f, 0.0f, 0.0f}, glm::vec3{1.0f}};
+        const WorldTransform transform{origin_.cell, glm::mat3{1.0f}, origin_.local_m};
+        const ecs::Entity stand = with_mobility(moving_, transform, local, Cell{origin_.cell});
+        if (plays) world_.add(stand, AnimationPlayer{});
+        return stand;
+    }
+
+    ecs::Entity node_entity(std::uint32_t index, ecs::Entity parent, const Placement& placement,
+                            bool moving) {
+        const assets::Node& node = scene_.nodes[index];
         const WorldTransform transform = world_transform(placement);
         LocalTransform local = local_of(node.local);
+        std::vector<assets::ModelPart> skinned;
         std::vector<assets::ModelPart> parts;
-        if (node.model != assets::k_none) parts = drawable_parts(scene_.models.at(node.model));
+        for (const assets::ModelPart& part : drawable_parts(node))
+            (is_skinned(node, part) ? skinned : parts).push_back(part);
 
         std::optional<Cell> cell;
         if (parent == ecs::Entity{}) {
@@ -105,14 +133,60 @@ private:
             cell = Cell{place.cell};
             local.translation_m = place.local_m;
         }
-        const ecs::Entity entity = parts.size() == 1 ? part_entity(parts[0], local, parent, cell, transform)
-                                   : cell            ? with_mobility(transform, local, *cell)
-                                                     : with_mobility(transform, local, Parent{parent});
-        if (parts.size() > 1) {
-            for (const assets::ModelPart& part : parts)
-                part_entity(part, {}, entity, {}, transform);
+        const bool alone = parts.size() == 1 && skinned.empty();
+        const ecs::Entity entity = alone  ? part_entity(parts[0], local, parent, cell, transform, moving)
+                                   : cell ? with_mobility(moving, transform, local, *cell)
+                                          : with_mobility(moving, transform, local, Parent{parent});
+        if (library_.moves(index)) world_.add(entity, AnimatedNode{made_.stand, index, local, {}});
+        const ecs::Entity morph = add_morph(entity, index);
+        if (alone) {
+            if (is_morphed(parts[0])) world_.add(entity, Morphed{morph});
+        } else {
+            for (const assets::ModelPart& part : parts) {
+                const ecs::Entity shown = part_entity(part, {}, entity, {}, transform, moving);
+                if (is_morphed(part)) world_.add(shown, Morphed{morph});
+            }
         }
+        for (const assets::ModelPart& part : skinned)
+            skinned_parts_.push_back({part, node.skeleton, entity, is_morphed(part) ? morph : ecs::Entity{}});
         if (node.light != assets::k_none) add_light(entity, scene_.lights.at(node.light), placement);
+        return entity;
+    }
+
+    [[nodiscard]] const assets::Mesh& mesh_of(const assets::ModelPart& part) const {
+        return scene_.meshes.at(part.mesh);
+    }
+    [[nodiscard]] bool is_morphed(const assets::ModelPart& part) const {
+        return !mesh_of(part).morphs.empty();
+    }
+    /// A mesh that names joints which the skeleton lacks is drawn where its node is.
+    [[nodiscard]] bool is_skinned(const assets::Node& node, const assets::ModelPart& part) const {
+        if (node.skeleton == assets::k_none || mesh_of(part).weights.empty()) return false;
+        const std::vector<JointBox>& used = library_.mesh(part.mesh).joint_boxes;
+        const std::size_t joints = scene_.skeletons.at(node.skeleton).joints.size();
+        if (!used.empty() && used.back().joint < joints) return true;
+        spdlog::warn("scene '{}': mesh '{}' stays rigid: it wants joint {} of {} in skeleton '{}'",
+                     scene_.name, mesh_of(part).name, used.empty() ? 0 : used.back().joint, joints,
+                     scene_.skeletons[node.skeleton].name);
+        return false;
+    }
+
+    /// The weights of a node's morph targets. @return  who holds them; null if it has none
+    ecs::Entity add_morph(ecs::Entity entity, std::uint32_t index) {
+        const assets::Node& node = scene_.nodes[index];
+        std::size_t targets = 0;
+        for (const assets::ModelPart& part : drawable_parts(node))
+            targets = std::max(targets, mesh_of(part).morphs.size());
+        if (targets == 0) return {};
+        const auto count = static_cast<std::uint32_t>(targets);
+        const std::vector<float>& given =
+            node.morph_weights.empty() ? scene_.models[node.model].morph_weights : node.morph_weights;
+        const ecs::Entity player = library_.morphs(index) ? made_.stand : ecs::Entity{};
+        world_.add(entity, Morph{count});
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const float rest = i < given.size() ? given[i] : 0.0f;
+            world_.create(MorphWeight{entity, player, index, i, rest, rest, rest, {}}, Parent{entity});
+        }
         return entity;
     }
 
@@ -122,9 +196,10 @@ private:
         return {place.cell, glm::mat3{placement.linear}, place.local_m};
     }
 
-    std::vector<assets::ModelPart> drawable_parts(const assets::Model& model) const {
+    [[nodiscard]] std::vector<assets::ModelPart> drawable_parts(const assets::Node& node) const {
         std::vector<assets::ModelPart> parts;
-        for (const assets::ModelPart& part : model.parts) {
+        if (node.model == assets::k_none) return parts;
+        for (const assets::ModelPart& part : scene_.models.at(node.model).parts) {
             if (part.mesh != assets::k_none && !scene_.meshes.at(part.mesh).positions.empty())
                 parts.push_back(part);
         }
@@ -132,24 +207,19 @@ private:
     }
 
     ecs::Entity part_entity(const assets::ModelPart& part, const LocalTransform& local, ecs::Entity parent,
-                            const std::optional<Cell>& cell, const WorldTransform& transform) {
-        static const assets::Material k_default;
-        const assets::Material& material =
-            part.material == assets::k_none ? k_default : scene_.materials.at(part.material);
-        const assets::Mesh& mesh = scene_.meshes.at(part.mesh);
-        const Renderable renderable{part.mesh, part.material, pipeline_of(material, mesh.topology)};
-        const LocalBounds bounds = bounds_of(mesh);
-        const bool casts =
-            material.alpha_mode != assets::AlphaMode::blend && mesh.topology == assets::Topology::triangles;
-        if (cell && casts) return with_mobility(transform, local, renderable, bounds, *cell);
-        if (cell) return with_mobility(transform, local, renderable, bounds, *cell, NoShadow{});
-        if (casts) return with_mobility(transform, local, renderable, bounds, Parent{parent});
-        return with_mobility(transform, local, renderable, bounds, Parent{parent}, NoShadow{});
+                            const std::optional<Cell>& cell, const WorldTransform& transform, bool moving) {
+        const Renderable renderable = renderable_of(scene_, part, false);
+        const LocalBounds bounds = bounds_of(mesh_of(part));
+        const bool casts = casts_shadows(scene_, part);
+        if (cell && casts) return with_mobility(moving, transform, local, renderable, bounds, *cell);
+        if (cell) return with_mobility(moving, transform, local, renderable, bounds, *cell, NoShadow{});
+        if (casts) return with_mobility(moving, transform, local, renderable, bounds, Parent{parent});
+        return with_mobility(moving, transform, local, renderable, bounds, Parent{parent}, NoShadow{});
     }
 
     template <class... Cs>
-    ecs::Entity with_mobility(const WorldTransform& transform, Cs... components) {
-        if (moving_) return world_.create(transform, PreviousWorldTransform{transform}, components...);
+    ecs::Entity with_mobility(bool moving, const WorldTransform& transform, Cs... components) {
+        if (moving) return world_.create(transform, PreviousWorldTransform{transform}, components...);
         return world_.create(transform, components...);
     }
 
@@ -175,18 +245,25 @@ private:
 
     ecs::World& world_;
     const assets::Scene& scene_;
+    const ClipLibrary& library_;
     WorldPosition origin_;
     bool moving_;
     bool sun_found_ = false;
-    std::vector<SpawnedNode> made_;
+    SpawnedSubtrees made_;
+    std::vector<SkinnedPart> skinned_parts_;
 };
 
 }  // namespace
 
-std::vector<SpawnedNode> spawn_subtrees(ecs::World& world, const assets::Scene& scene,
-                                        std::span<const std::uint32_t> roots, const WorldPosition& origin,
-                                        Mobility mobility) {
+SpawnedSubtrees spawn_subtrees(ecs::World& world, const assets::Scene& scene,
+                               std::span<const std::uint32_t> roots, const WorldPosition& origin,
+                               Mobility mobility) {
+    if (!world.has_resource<ClipLibrary>()) note_clips(world, scene);
     return Spawner{world, scene, origin, mobility}(roots);
+}
+
+void note_clips(ecs::World& world, const assets::Scene& scene) {
+    world.set_resource(ClipLibrary{scene});
 }
 
 void note_materials(ecs::World& world, const assets::Scene& scene) {

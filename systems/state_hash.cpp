@@ -39,6 +39,12 @@ public:
         add((std::uint64_t{f.turns} << 2u) | (f.turning ? 2u : 0u) | static_cast<std::uint64_t>(f.kind));
         add(f.leg), add(f.next), add(f.progress), add(f.speed_m_s), add(f.heading), add(f.travelled_m);
     }
+    void add(const ClipCursor& c) {
+        add((std::uint64_t{c.clip} << 1u) | (c.looping ? 1u : 0u));
+        add(c.time_s), add(c.speed);
+    }
+    void add(const AnimationPlayer& p) { add(p.playing), add(p.fading), add(p.fade_s), add(p.fade_left_s); }
+    void add(const MorphWeight& w) { add(w.value), add(w.previous); }
     void add(const Gait& g) { add(g.leg_length_m), add(g.phase), add(g.reach); }
 
     [[nodiscard]] std::uint64_t value() const { return mixed(value_); }
@@ -74,6 +80,8 @@ std::uint64_t state_hash(const ecs::World& world) {
     add_column<PreviousWorldTransform>(world, hash);
     add_column<PathFollower>(world, hash);
     add_column<Gait>(world, hash);
+    add_column<AnimationPlayer>(world, hash);
+    add_column<MorphWeight>(world, hash);
     return hash.value();
 }
 

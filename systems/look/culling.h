@@ -19,6 +19,8 @@ struct LookChunk {
     std::span<const PreviousWorldTransform> before;  ///< empty: at rest
     std::span<const Renderable> renderables;
     std::span<const LocalBounds> bounds;
+    std::span<const Skinned> skins;   ///< empty: rigid
+    std::span<const Morphed> morphs;  ///< empty: not morphed
     bool casts_shadows = true;
     std::uint32_t first_row = 0;
     std::uint32_t broken_bounds = 0;  ///< NaN or infinite
@@ -44,7 +46,8 @@ public:
 private:
     template <class Filter>
     using Drawn = ecs::Query<ecs::Entity, const WorldTransform, const Renderable, const LocalBounds,
-                             ecs::Optional<const PreviousWorldTransform>, Filter>;
+                             ecs::Optional<const PreviousWorldTransform>, ecs::Optional<const Skinned>,
+                             ecs::Optional<const Morphed>, Filter>;
 
     template <class Query>
     void collect(ecs::World& world, Query& query, bool casts_shadows);

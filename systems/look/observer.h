@@ -25,17 +25,21 @@ struct Placement {
     return {now.linear, offset_m(observer.eye, {now.cell, now.translation_m})};
 }
 
-/// Where a moving thing is, between two steps. The maps are mixed linearly: 1/60 s turns a swinging limb by a
-/// few degrees at most, over which the chord and the arc differ by less than a thousandth.
+/// A share of the way from one map to another, mixed linearly: 1/60 s turns a swinging limb by a few degrees
+/// at most, over which the chord and the arc differ by less than a thousandth.
+/// @param share  0 and below: `from`, 1 and above: `to`
+[[nodiscard]] inline Placement between(const Placement& from, const Placement& to, float share) {
+    // The ends are exact to the sign of zero, so that one step's end is the next one's beginning bit for bit.
+    if (share <= 0.0f) return from;
+    if (share >= 1.0f) return to;
+    return {from.linear * (1.0f - share) + to.linear * share,
+            from.translation_m * (1.0f - share) + to.translation_m * share};
+}
+
+/// Where a moving thing is, between two steps.
 [[nodiscard]] inline Placement placement(const WorldTransform& before, const WorldTransform& now,
                                          const Observer& observer) {
-    const Placement from = placement(before, observer);
-    const Placement to = placement(now, observer);
-    const float t = observer.interpolation;
-    // The ends are exact to the sign of zero, so that one step's end is the next one's beginning bit for bit.
-    if (t <= 0.0f) return from;
-    if (t >= 1.0f) return to;
-    return {from.linear * (1.0f - t) + to.linear * t, from.translation_m * (1.0f - t) + to.translation_m * t};
+    return between(placement(before, observer), placement(now, observer), observer.interpolation);
 }
 
 }  // namespace rambla::systems

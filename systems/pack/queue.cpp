@@ -26,7 +26,7 @@ bool mirrors(const glm::mat3& linear) {
 }
 
 void PackQueues::operator()(const Culling& culling, const Observer& observer, glm::vec3 forward,
-                            const MaterialFacts& facts, Frame& frame) {
+                            const MaterialFacts& facts, const DeformationSource& deformed, Frame& frame) {
     frame.instances.clear();
     frame.opaque.clear();
     frame.blended.clear();
@@ -38,7 +38,8 @@ void PackQueues::operator()(const Culling& culling, const Observer& observer, gl
     for (auto* column : {&casters.pipeline, &casters.material, &casters.mesh, &casters.instance})
         column->clear();
 
-    make_keys(culling, forward, facts, frame);
+    deformed_.begin(deformed, frame);
+    make_keys(culling, forward, facts, deformed, frame);
     sort_(keys_, rows_);
 
     const BoxColumns boxes = culling.boxes();
@@ -46,7 +47,7 @@ void PackQueues::operator()(const Culling& culling, const Observer& observer, gl
         const std::uint32_t row = rows_[i];
         const LookChunk& chunk = culling.chunks()[chunk_of_row_[row]];
         const Renderable& drawn = chunk.renderables[row - chunk.first_row];
-        const std::uint32_t instance = add_instance(culling, observer, row, frame);
+        const std::uint32_t instance = add_instance(culling, observer, row, deformed, frame);
         if (pass_of(keys_[i]) == DrawPass::surfaces) {
             const bool blended = blend_class_of(keys_[i]) == BlendClass::blended;
             append_draw(blended ? frame.blended : frame.opaque, pipeline_of_row_[row], drawn.material,
@@ -67,7 +68,7 @@ void PackQueues::operator()(const Culling& culling, const Observer& observer, gl
 }
 
 void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const MaterialFacts& facts,
-                           Frame& frame) {
+                           const DeformationSource& deformed, Frame& frame) {
     keys_.clear();
     rows_.clear();
     const std::span<const std::uint32_t> seen_by = culling.seen_by();
@@ -75,6 +76,7 @@ void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const Mate
     chunk_of_row_.resize(seen_by.size());
     instance_of_row_.assign(seen_by.size(), assets::k_none);
     pipeline_of_row_.resize(seen_by.size());
+    frame.visible = {};
     frame.emissive = false;
     frame.counts.visible = 0;
     frame.counts.casters = 0;
@@ -85,6 +87,8 @@ void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const Mate
             const bool visible = (seen_by[row] & k_seen_by_camera) != 0;
             const bool casts = chunk.casts_shadows && (seen_by[row] & k_seen_by_sun) != 0;
             if (!visible && !casts) continue;
+            // A skin that came after the last step has no pose yet.
+            if (!chunk.skins.empty() && deformed.poses.skin(chunk.skins[i].skin) == nullptr) continue;
 
             const Renderable& drawn = chunk.renderables[i];
             const Pipeline mirror{.mirrored = mirrors(chunk.now[i].linear)};
@@ -95,8 +99,10 @@ void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const Mate
             // instances with the opaque queue, and merge into as few draws.
             float depth_m = std::numeric_limits<float>::infinity();
             if (visible) {
-                depth_m = glm::dot(forward,
-                                   glm::vec3{boxes.centre_x[row], boxes.centre_y[row], boxes.centre_z[row]});
+                const glm::vec3 centre{boxes.centre_x[row], boxes.centre_y[row], boxes.centre_z[row]};
+                const glm::vec3 half{boxes.half_x[row], boxes.half_y[row], boxes.half_z[row]};
+                frame.visible.expand(assets::Bounds{centre - half, centre + half});
+                depth_m = glm::dot(forward, centre);
                 const bool blended =
                     unpack_pipeline(pipeline).alpha == static_cast<std::uint8_t>(assets::AlphaMode::blend);
                 keys_.push_back(
@@ -119,7 +125,7 @@ void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const Mate
 }
 
 std::uint32_t PackQueues::add_instance(const Culling& culling, const Observer& observer, std::uint32_t row,
-                                       Frame& frame) {
+                                       const DeformationSource& deformed, Frame& frame) {
     std::uint32_t& instance = instance_of_row_[row];
     if (instance != assets::k_none) return instance;
     instance = static_cast<std::uint32_t>(frame.instances.size());
@@ -133,6 +139,14 @@ std::uint32_t PackQueues::add_instance(const Culling& culling, const Observer& o
     made.row2 = glm::vec4{rows[2], place.translation_m.z};
     made.material = chunk.renderables[i].material;
     made.object = chunk.entities[i].index;
+    if (!chunk.skins.empty()) {
+        made.joints =
+            deformed_.joints_of(deformed, *deformed.poses.skin(chunk.skins[i].skin), observer, frame);
+    }
+    if (!chunk.morphs.empty()) {
+        made.morphs = deformed_.morphs_of(deformed, chunk.morphs[i], chunk.renderables[i].mesh,
+                                          observer.interpolation, frame);
+    }
     return instance;
 }
 

@@ -6,6 +6,7 @@
 
 #include "systems/frame.h"
 #include "systems/look/culling.h"
+#include "systems/pack/deformed.h"
 #include "systems/pack/radix_sort.h"
 #include "systems/pack/sort_key.h"
 
@@ -18,17 +19,19 @@ inline constexpr std::uint32_t k_seen_by_sun = 2u;  ///< may throw a shadow into
 /// Turns what was seen into the Frame's sorted queues. Keeps its memory.
 class PackQueues {
 public:
-    /// Replaces the Frame's instances, batches, casters and `emissive`.
+    /// Replaces the Frame's instances, joints, morphs, batches, casters, `visible` and `emissive`.
     /// @param forward  unit vector along the view: depth is measured along it
     void operator()(const Culling& culling, const Observer& observer, glm::vec3 forward,
-                    const MaterialFacts& facts, Frame& frame);
+                    const MaterialFacts& facts, const DeformationSource& deformed, Frame& frame);
 
 private:
-    void make_keys(const Culling& culling, glm::vec3 forward, const MaterialFacts& facts, Frame& frame);
+    void make_keys(const Culling& culling, glm::vec3 forward, const MaterialFacts& facts,
+                   const DeformationSource& deformed, Frame& frame);
     std::uint32_t add_instance(const Culling& culling, const Observer& observer, std::uint32_t row,
-                               Frame& frame);
+                               const DeformationSource& deformed, Frame& frame);
 
     RadixSort sort_;
+    PackDeformed deformed_;
     std::vector<SortKey> keys_;
     std::vector<std::uint32_t> rows_;
     std::vector<std::uint32_t> chunk_of_row_;

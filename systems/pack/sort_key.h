@@ -7,17 +7,17 @@ namespace rambla::systems {
 
 /// 64-bit sort key of a draw; ascending keys are the order of drawing.
 ///
-///     63  61 60   56 55 54
+///     63  62 61   57  56
 ///    ┌──────┬───────┬─────┬───────────────────────────────────────────────────────┐
-///    │ pass │ view  │class│ 54 bits that depend on the blend class                │
+///    │ pass │ view  │class│ 56 bits that depend on the blend class                │
 ///    └──────┴───────┴─────┴───────────────────────────────────────────────────────┘
 ///                     opaque: state changes are dear, and near things hide far ones
-///                          53      47 46           31 30           15 14          0
+///                          55      47 46           31 30           15 14          0
 ///                         ┌──────────┬───────────────┬───────────────┬─────────────┐
 ///                         │ pipeline │ material      │ mesh          │ depth ↑     │
 ///                         └──────────┴───────────────┴───────────────┴─────────────┘
 ///                     blended: the picture depends on the order
-///                          53                          23 22      16 15           0
+///                          55                          25 24      16 15           0
 ///                         ┌──────────────────────────────┬──────────┬──────────────┐
 ///                         │ depth ↓                      │ pipeline │ material     │
 ///                         └──────────────────────────────┴──────────┴──────────────┘
@@ -37,16 +37,16 @@ enum class BlendClass : std::uint8_t { opaque, blended };
 }
 
 [[nodiscard]] constexpr SortKey key_head(DrawPass pass, std::uint32_t view, BlendClass blend) {
-    return (static_cast<SortKey>(pass) << 61u) | (static_cast<SortKey>(view & 31u) << 56u) |
-           (static_cast<SortKey>(blend) << 54u);
+    return (static_cast<SortKey>(pass) << 62u) | (static_cast<SortKey>(view & 31u) << 57u) |
+           (static_cast<SortKey>(blend) << 56u);
 }
 
-/// @param pipeline  pack(Pipeline), 7 bits
+/// @param pipeline  pack(Pipeline), 9 bits
 /// @param depth_m   distance along the view; its exponent and 7 bits of its mantissa are kept, which is
 /// monotone
 [[nodiscard]] constexpr SortKey opaque_key(DrawPass pass, std::uint32_t view, std::uint32_t pipeline,
                                            std::uint32_t material, std::uint32_t mesh, float depth_m) {
-    return key_head(pass, view, BlendClass::opaque) | (static_cast<SortKey>(pipeline & 0x7fu) << 47u) |
+    return key_head(pass, view, BlendClass::opaque) | (static_cast<SortKey>(pipeline & 0x1ffu) << 47u) |
            (static_cast<SortKey>(material & 0xffffu) << 31u) | (static_cast<SortKey>(mesh & 0xffffu) << 15u) |
            (ordered_depth(depth_m) >> 16u);
 }
@@ -55,15 +55,15 @@ enum class BlendClass : std::uint8_t { opaque, blended };
 [[nodiscard]] constexpr SortKey blended_key(DrawPass pass, std::uint32_t view, float depth_m,
                                             std::uint32_t pipeline, std::uint32_t material) {
     return key_head(pass, view, BlendClass::blended) |
-           (static_cast<SortKey>(0x7fffffffu - ordered_depth(depth_m)) << 23u) |
-           (static_cast<SortKey>(pipeline & 0x7fu) << 16u) | (material & 0xffffu);
+           (static_cast<SortKey>(0x7fffffffu - ordered_depth(depth_m)) << 25u) |
+           (static_cast<SortKey>(pipeline & 0x1ffu) << 16u) | (material & 0xffffu);
 }
 
 [[nodiscard]] constexpr DrawPass pass_of(SortKey key) {
-    return static_cast<DrawPass>(key >> 61u);
+    return static_cast<DrawPass>(key >> 62u);
 }
 [[nodiscard]] constexpr BlendClass blend_class_of(SortKey key) {
-    return static_cast<BlendClass>((key >> 54u) & 3u);
+    return static_cast<BlendClass>((key >> 56u) & 1u);
 }
 
 }  // namespace rambla::systems

@@ -49,8 +49,9 @@ TEST(SortKeyStability, DepthNeverSpillsIntoOtherFields) {
         const SortKey opaque = opaque_key(DrawPass::surfaces, 5, 9, 77, 1234, depth);
         EXPECT_EQ(opaque >> 15u, opaque_key(DrawPass::surfaces, 5, 9, 77, 1234, 1.0f) >> 15u) << depth;
         const SortKey blended = blended_key(DrawPass::surfaces, 5, depth, 9, 77);
-        EXPECT_EQ(blended >> 54u, blended_key(DrawPass::surfaces, 5, 1.0f, 9, 77) >> 54u) << depth;
-        EXPECT_EQ(blended & 0x7fffffu, blended_key(DrawPass::surfaces, 5, 1.0f, 9, 77) & 0x7fffffu) << depth;
+        EXPECT_EQ(blended >> 56u, blended_key(DrawPass::surfaces, 5, 1.0f, 9, 77) >> 56u) << depth;
+        EXPECT_EQ(blended & 0x1ffffffu, blended_key(DrawPass::surfaces, 5, 1.0f, 9, 77) & 0x1ffffffu)
+            << depth;
     }
 }
 
