@@ -102,13 +102,13 @@ void DrawList::upload(gl::StreamBuffer& stream) {
     range_ = stream.upload(std::span<const Command>{commands_});
 }
 
-void DrawList::begin(const SceneStore& scene) const {
-    scene.vertices().bind();
+void DrawList::begin() const {
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, range_.buffer);
 }
 
 void DrawList::draw_run(const SceneStore& scene, const Run& run, DrawCounts& counts) const {
     const systems::Pipeline pipeline = systems::unpack_pipeline(run.pipeline);
+    scene.vertices(pipeline.skinned).bind();
     glFrontFace(pipeline.mirrored ? GL_CW : GL_CCW);
     if (kind_ != DrawKind::depth_only) {
         scene.bind_textures(run.material);

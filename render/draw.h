@@ -50,7 +50,7 @@ public:
     template <class ProgramOf>
     DrawCounts draw(const SceneStore& scene, ProgramOf&& program_of) const {
         DrawCounts counts;
-        begin(scene);
+        begin();
         for (const Run& run : runs_) {
             program_of(systems::unpack_pipeline(run.pipeline), run.material).use();
             draw_run(scene, run, counts);
@@ -78,7 +78,7 @@ private:
 
     [[nodiscard]] bool is_drawn_twice(std::uint32_t pipeline) const;
     [[nodiscard]] bool continues(const Run& run, std::uint32_t pipeline, std::uint32_t material) const;
-    void begin(const SceneStore& scene) const;
+    void begin() const;
     void draw_run(const SceneStore& scene, const Run& run, DrawCounts& counts) const;
     void draw_commands(const Run& run, DrawCounts& counts) const;
     static void end();

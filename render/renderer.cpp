@@ -15,6 +15,7 @@
 #include "render/pass_context.h"
 #include "render/passes/all_passes.h"
 #include "render/shaders/shared/bindings.h"
+#include "render/shaders/shared/deformation.h"
 #include "render/shaders/shared/instance.h"
 #include "render/shaders/shared/light.h"
 #include "render/warm_up.h"
@@ -27,6 +28,11 @@ static_assert(sizeof(systems::Instance) == sizeof(shared::Instance));
 static_assert(offsetof(systems::Instance, row2) == offsetof(shared::Instance, row2));
 static_assert(offsetof(systems::Instance, material) == offsetof(shared::Instance, material));
 static_assert(offsetof(systems::Instance, object) == offsetof(shared::Instance, object));
+static_assert(offsetof(systems::Instance, joints) == offsetof(shared::Instance, joints));
+static_assert(offsetof(systems::Instance, morphs) == offsetof(shared::Instance, morphs));
+static_assert(sizeof(systems::JointMatrix) == sizeof(shared::JointMatrix));
+static_assert(sizeof(systems::MorphTerm) == sizeof(shared::MorphTerm));
+static_assert(offsetof(systems::MorphTerm, weight) == offsetof(shared::MorphTerm, weight));
 static_assert(sizeof(systems::FrameLight) == sizeof(shared::Light));
 static_assert(offsetof(systems::FrameLight, intensity) == offsetof(shared::Light, intensity_cos_outer));
 static_assert(offsetof(systems::FrameLight, direction) == offsetof(shared::Light, direction_cos_inner));
@@ -209,6 +215,11 @@ void Renderer::State::bind_frame(const systems::Frame& frame, float exposure) {
     stream.upload(std::span<const systems::Instance>{frame.instances})
         .bind(GL_SHADER_STORAGE_BUFFER, BINDING_INSTANCES);
     scene.materials().bind(GL_SHADER_STORAGE_BUFFER, BINDING_MATERIALS);
+    stream.upload(std::span<const systems::JointMatrix>{frame.joints})
+        .bind(GL_SHADER_STORAGE_BUFFER, BINDING_JOINTS);
+    stream.upload(std::span<const systems::MorphTerm>{frame.morphs})
+        .bind(GL_SHADER_STORAGE_BUFFER, BINDING_MORPH_TERMS);
+    scene.morphs().bind(GL_SHADER_STORAGE_BUFFER, BINDING_MORPHS);
     stream.upload(std::span<const systems::FrameLight>{frame.lights})
         .bind(GL_SHADER_STORAGE_BUFFER, BINDING_LIGHTS);
 }

@@ -1,7 +1,11 @@
 #include "render/scene_meshes.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <glm/gtc/packing.hpp>
+#include <string_view>
 
 #include "render/shaders/shared/bindings.h"
 
@@ -11,6 +15,7 @@ namespace {
 
 constexpr GLuint k_position_stream = 0;
 constexpr GLuint k_attribute_stream = 1;
+constexpr GLuint k_skin_stream = 2;
 
 void describe(gl::VertexArray& vertices) {
     const auto attribute = [&](GLuint location, GLint components, GLenum type, bool normalised,
@@ -30,6 +35,32 @@ void describe(gl::VertexArray& vertices) {
     attribute(ATTRIBUTE_COLOUR, 4, GL_HALF_FLOAT, false, offsetof(PackedAttributes, colour));
 }
 
+gl::VertexArray vertex_array(const SceneMeshes& meshes, std::string_view name) {
+    gl::VertexArray vertices{name};
+    describe(vertices);
+    vertices.vertex_buffer(k_position_stream, meshes.positions.name(), sizeof(glm::vec3));
+    vertices.vertex_buffer(k_attribute_stream, meshes.attributes.name(), sizeof(PackedAttributes));
+    vertices.index_buffer(meshes.indices.name());
+    return vertices;
+}
+
+void add_skins(SceneMeshes& meshes) {
+    gl::VertexArray& vertices = meshes.skinned_vertices;
+    vertices.attribute({.location = ATTRIBUTE_JOINTS,
+                        .binding = k_skin_stream,
+                        .components = 4,
+                        .type = GL_UNSIGNED_SHORT,
+                        .integer = true,
+                        .offset = offsetof(PackedSkin, joints)});
+    vertices.attribute({.location = ATTRIBUTE_WEIGHTS,
+                        .binding = k_skin_stream,
+                        .components = 4,
+                        .type = GL_UNSIGNED_SHORT,
+                        .normalised = true,
+                        .offset = offsetof(PackedSkin, weights)});
+    vertices.vertex_buffer(k_skin_stream, meshes.skins.name(), sizeof(PackedSkin));
+}
+
 }  // namespace
 
 PackedAttributes pack_attributes(const assets::Mesh& mesh, std::size_t vertex) {
@@ -41,31 +72,65 @@ PackedAttributes pack_attributes(const assets::Mesh& mesh, std::size_t vertex) {
             .colour = glm::packHalf4x16(mesh.colours.empty() ? glm::vec4{1.0f} : mesh.colours[vertex])};
 }
 
+PackedSkin pack_skin(const assets::Mesh& mesh, std::size_t vertex) {
+    const glm::u16vec4 joints = mesh.joints[vertex];
+    const glm::vec4 weights = glm::max(mesh.weights[vertex], glm::vec4{0.0f});
+    const float sum = weights.x + weights.y + weights.z + weights.w;
+    std::array<std::uint32_t, 4> shares{65535, 0, 0, 0};
+    if (sum > 0.0f && std::isfinite(sum)) {
+        std::uint32_t left = 65535;
+        std::uint32_t largest = 0;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            // Rounded down, so that something is left over rather than missing.
+            shares[i] =
+                std::min(static_cast<std::uint32_t>(65535.0f * (weights[static_cast<int>(i)] / sum)), left);
+            left -= shares[i];
+            if (shares[i] > shares[largest]) largest = i;
+        }
+        shares[largest] += left;
+    }
+    const auto packed = [](auto&& value) {
+        std::uint64_t bits = 0;
+        for (unsigned i = 0; i < 4; ++i)
+            bits |= static_cast<std::uint64_t>(value(i)) << (16u * i);
+        return bits;
+    };
+    return {packed([&](unsigned i) { return joints[static_cast<int>(i)]; }),
+            packed([&](unsigned i) { return shares[i]; })};
+}
+
 SceneMeshes upload_meshes(std::span<const assets::Mesh> meshes) {
     std::size_t vertex_count = 0;
     std::size_t index_count = 0;
-    for (const assets::Mesh& mesh : meshes) {
-        vertex_count += mesh.positions.size();
-        index_count += mesh.indices.size();
+    std::vector<std::uint32_t> order(meshes.size());
+    for (std::uint32_t i = 0; i < meshes.size(); ++i) {
+        vertex_count += meshes[i].positions.size();
+        index_count += meshes[i].indices.size();
+        order[i] = i;
     }
+    std::stable_partition(order.begin(), order.end(),
+                          [&](std::uint32_t i) { return !meshes[i].weights.empty(); });
     std::vector<glm::vec3> positions;
     std::vector<PackedAttributes> attributes;
+    std::vector<PackedSkin> skins;
     std::vector<std::uint32_t> indices;
     positions.reserve(vertex_count);
     attributes.reserve(vertex_count);
     indices.reserve(index_count);
 
     SceneMeshes result;
-    result.ranges.reserve(meshes.size());
-    for (const assets::Mesh& mesh : meshes) {
-        result.ranges.push_back({.first_index = static_cast<std::uint32_t>(indices.size()),
+    result.ranges.resize(meshes.size());
+    for (const std::uint32_t number : order) {
+        const assets::Mesh& mesh = meshes[number];
+        result.ranges[number] = {.first_index = static_cast<std::uint32_t>(indices.size()),
                                  .index_count = static_cast<std::uint32_t>(mesh.indices.size()),
                                  .base_vertex = static_cast<std::int32_t>(positions.size()),
-                                 .topology = mesh.topology,
-                                 .bounds = mesh.bounds});
+                                 .topology = mesh.topology};
         positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             attributes.push_back(pack_attributes(mesh, v));
+        for (std::size_t v = 0; v < mesh.weights.size(); ++v)
+            skins.push_back(pack_skin(mesh, v));
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
     }
 
@@ -73,11 +138,11 @@ SceneMeshes upload_meshes(std::span<const assets::Mesh> meshes) {
     result.attributes =
         gl::Buffer{"attributes", attributes.size() * sizeof(PackedAttributes), attributes.data()};
     result.indices = gl::Buffer{"indices", indices.size() * sizeof(std::uint32_t), indices.data()};
-    result.vertices = gl::VertexArray{"meshes"};
-    describe(result.vertices);
-    result.vertices.vertex_buffer(k_position_stream, result.positions.name(), sizeof(glm::vec3));
-    result.vertices.vertex_buffer(k_attribute_stream, result.attributes.name(), sizeof(PackedAttributes));
-    result.vertices.index_buffer(result.indices.name());
+    result.vertices = vertex_array(result, "meshes");
+    if (skins.empty()) return result;
+    result.skins = gl::Buffer{"skins", skins.size() * sizeof(PackedSkin), skins.data()};
+    result.skinned_vertices = vertex_array(result, "skinned meshes");
+    add_skins(result);
     return result;
 }
 

@@ -23,13 +23,27 @@ static_assert(sizeof(PackedAttributes) == 40);
 /// Packs one vertex; what the mesh lacks becomes neutral: normal +Y, no tangent, uv (0, 0), white.
 [[nodiscard]] PackedAttributes pack_attributes(const assets::Mesh& mesh, std::size_t vertex);
 
-/// All meshes of a scene in one set of buffers.
+/// What moves a vertex of a skinned mesh: 16 bytes.
+struct PackedSkin {
+    std::uint64_t joints;   ///< uint16 ×4
+    std::uint64_t weights;  ///< unorm16 ×4, which sum to exactly 65535
+};
+static_assert(sizeof(PackedSkin) == 16);
+
+/// Packs the joints of one vertex. What rounding leaves over goes to the largest weight; weights that are no
+/// share of anything become the first joint's.
+[[nodiscard]] PackedSkin pack_skin(const assets::Mesh& mesh, std::size_t vertex);
+
+/// All meshes of a scene in one set of buffers. Skinned meshes come first, so that `skins` is as long as they
+/// are.
 struct SceneMeshes {
     gl::Buffer positions;
     gl::Buffer attributes;
+    gl::Buffer skins;
     gl::Buffer indices;
     gl::VertexArray vertices;
-    std::vector<MeshRange> ranges;
+    gl::VertexArray skinned_vertices;  ///< with joints and weights
+    std::vector<MeshRange> ranges;     ///< as the scene counts its meshes
 };
 
 [[nodiscard]] SceneMeshes upload_meshes(std::span<const assets::Mesh> meshes);

@@ -5,6 +5,7 @@
 #include "assets/assert.h"
 #include "render/scene_materials.h"
 #include "render/scene_meshes.h"
+#include "render/scene_morphs.h"
 #include "render/scene_textures.h"
 #include "render/shaders/shared/bindings.h"
 
@@ -12,6 +13,7 @@ namespace rambla::render {
 
 struct SceneStore::State {
     SceneMeshes meshes;
+    gl::Buffer morphs;
     SceneTextures textures;
     SceneMaterials materials;
 };
@@ -25,6 +27,9 @@ void SceneStore::upload(const assets::Scene& scene) {
     // The old scene goes first: two large scenes need not fit beside each other.
     state_ = std::make_unique<State>();
     state_->meshes = upload_meshes(scene.meshes);
+    const std::vector<std::uint32_t> morphs = pack_morphs(scene.meshes, state_->meshes.ranges);
+    if (!morphs.empty())
+        state_->morphs = gl::Buffer{"morphs", morphs.size() * sizeof(std::uint32_t), morphs.data()};
     state_->textures = upload_textures(scene);
     state_->materials = upload_materials(scene, state_->textures);
 }
@@ -50,8 +55,12 @@ const assets::Material& SceneStore::material(std::uint32_t index) const {
     return state_->materials.materials[material_row(index)];
 }
 
-const gl::VertexArray& SceneStore::vertices() const {
-    return state_->meshes.vertices;
+const gl::VertexArray& SceneStore::vertices(bool skinned) const {
+    return skinned ? state_->meshes.skinned_vertices : state_->meshes.vertices;
+}
+
+gl::BufferRange SceneStore::morphs() const {
+    return state_->morphs.range();
 }
 
 gl::BufferRange SceneStore::materials() const {

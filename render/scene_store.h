@@ -18,12 +18,11 @@ struct MeshRange {
     std::uint32_t index_count = 0;
     std::int32_t base_vertex = 0;
     assets::Topology topology = assets::Topology::triangles;
-    assets::Bounds bounds;
 };
 
 /// A scene on the GPU: all meshes in one pair of vertex streams (positions apart, so that depth passes read
-/// 12 bytes a vertex) and one index buffer, textures with mips, materials in one storage buffer. Indices are
-/// those of the scene.
+/// 12 bytes a vertex; a third one for skinned meshes alone) and one index buffer, morph targets, textures
+/// with mips, materials in one storage buffer. Indices are those of the scene.
 class SceneStore {
 public:
     SceneStore();
@@ -40,8 +39,10 @@ public:
     [[nodiscard]] const assets::Material& material(
         std::uint32_t index) const;  ///< assets::k_none: glTF's default
 
-    /// The vertex array of all meshes; attributes as shared/bindings.h names them.
-    [[nodiscard]] const gl::VertexArray& vertices() const;
+    /// The vertex array of all meshes, or of the skinned ones; attributes as shared/bindings.h names them.
+    [[nodiscard]] const gl::VertexArray& vertices(bool skinned) const;
+    /// See scene_morphs.h.
+    [[nodiscard]] gl::BufferRange morphs() const;
     /// Array of shared::Material; the default material lies behind the scene's own, at material_count().
     [[nodiscard]] gl::BufferRange materials() const;
     /// Row of a material in materials().

@@ -1,6 +1,7 @@
 #include "render/warm_up.h"
 
 #include <algorithm>
+#include <compare>
 #include <map>
 
 #include "assets/environment.h"
@@ -13,18 +14,28 @@ constexpr std::uint32_t k_size_px = 64;
 constexpr float k_near_m = 0.1f;
 constexpr float k_light_distance_m = 2.0f;
 
-/// For each material in use the mesh with the fewest indices: what is drawn does not matter, only with which
+/// What picks programs and state, but for the settings.
+struct Look {
+    std::uint32_t material = 0;
+    bool skinned = false;
+    bool morphed = false;
+
+    auto operator<=>(const Look&) const = default;
+};
+
+/// For each look in use the mesh with the fewest indices: what is drawn does not matter, only with which
 /// state.
-std::map<std::uint32_t, std::uint32_t> smallest_meshes(const assets::Scene& scene) {
-    std::map<std::uint32_t, std::uint32_t> chosen;
+std::map<Look, std::uint32_t> smallest_meshes(const assets::Scene& scene) {
+    std::map<Look, std::uint32_t> chosen;
     for (const assets::Model& model : scene.models) {
         for (const assets::ModelPart& part : model.parts) {
             if (part.mesh == assets::k_none) continue;
-            const auto [entry, is_new] = chosen.try_emplace(part.material, part.mesh);
-            const auto size_of = [&](std::uint32_t mesh) {
-                return scene.meshes[mesh].indices.size();
-            };
-            if (!is_new && size_of(part.mesh) < size_of(entry->second)) entry->second = part.mesh;
+            const assets::Mesh& mesh = scene.meshes[part.mesh];
+            const bool skinned = !mesh.weights.empty() && !scene.skeletons.empty();
+            const Look look{part.material, skinned, !mesh.morphs.empty()};
+            const auto [entry, is_new] = chosen.try_emplace(look, part.mesh);
+            const std::size_t known = scene.meshes[entry->second].indices.size();
+            if (!is_new && mesh.indices.size() < known) entry->second = part.mesh;
         }
     }
     return chosen;
@@ -42,6 +53,16 @@ systems::Instance instance_of(const assets::Mesh& mesh, std::uint32_t material) 
     instance.row2 = {0.0f, 0.0f, scale, shift.z};
     instance.material = material;
     return instance;
+}
+
+/// Joints that all bring the mesh to where its instance is.
+std::uint32_t add_joints(systems::Frame& frame, const assets::Mesh& mesh, const systems::Instance& instance) {
+    std::uint16_t most = 0;
+    for (const glm::u16vec4& joints : mesh.joints)
+        most = std::max({most, joints.x, joints.y, joints.z, joints.w});
+    const auto first = static_cast<std::uint32_t>(frame.joints.size());
+    frame.joints.resize(first + most + 1u, {instance.row0, instance.row1, instance.row2});
+    return first;
 }
 
 void add_caster(systems::CasterColumns& casters, const systems::DrawBatch& batch) {
@@ -68,19 +89,27 @@ systems::Frame warm_up_frame(const assets::Scene& scene) {
     frame.environment = assets::noon();
     frame.lights.push_back(
         {.position_m = {0.0f, 0.0f, -0.5f * k_light_distance_m}, .radius_m = k_light_distance_m});
-    for (const auto& [index, mesh] : smallest_meshes(scene)) {
+    frame.visible = {glm::vec3{-0.5f, -0.5f, -0.5f - k_light_distance_m},
+                     glm::vec3{0.5f, 0.5f, 0.5f - k_light_distance_m}};
+    frame.morphs.push_back({});
+    for (const auto& [look, mesh] : smallest_meshes(scene)) {
+        const std::uint32_t index = look.material;
         const assets::Material material =
             index < scene.materials.size() ? scene.materials[index] : assets::Material{};
         const systems::Pipeline pipeline{.double_sided = true,
                                          .alpha = static_cast<std::uint8_t>(material.alpha_mode),
                                          .topology = static_cast<std::uint8_t>(scene.meshes[mesh].topology),
-                                         .unlit = material.unlit};
+                                         .unlit = material.unlit,
+                                         .skinned = look.skinned,
+                                         .morphed = look.morphed};
         const systems::DrawBatch batch{.pipeline = systems::pack(pipeline),
                                        .material = index,
                                        .mesh = mesh,
                                        .first_instance = static_cast<std::uint32_t>(frame.instances.size()),
                                        .instance_count = 1};
-        frame.instances.push_back(instance_of(scene.meshes[mesh], index));
+        systems::Instance instance = instance_of(scene.meshes[mesh], index);
+        if (look.skinned) instance.joints = add_joints(frame, scene.meshes[mesh], instance);
+        frame.instances.push_back(instance);
         if (material.alpha_mode == assets::AlphaMode::blend) {
             frame.blended.push_back(batch);
         } else {

@@ -18,8 +18,12 @@ VertexArray::VertexArray(std::string_view name) : object_{create_vertex_array()}
 
 void VertexArray::attribute(const VertexAttribute& a) {
     glEnableVertexArrayAttrib(name(), a.location);
-    glVertexArrayAttribFormat(name(), a.location, a.components, a.type, a.normalised ? GL_TRUE : GL_FALSE,
-                              a.offset);
+    if (a.integer) {
+        glVertexArrayAttribIFormat(name(), a.location, a.components, a.type, a.offset);
+    } else {
+        glVertexArrayAttribFormat(name(), a.location, a.components, a.type, a.normalised ? GL_TRUE : GL_FALSE,
+                                  a.offset);
+    }
     glVertexArrayAttribBinding(name(), a.location, a.binding);
 }
 

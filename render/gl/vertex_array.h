@@ -17,6 +17,7 @@ struct VertexAttribute {
     GLint components = 3;
     GLenum type = GL_FLOAT;
     bool normalised = false;
+    bool integer = false;  ///< reaches the shader as integers
     GLuint offset = 0;
 };
 

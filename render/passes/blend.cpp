@@ -6,20 +6,25 @@
 namespace rambla::render {
 
 BlendPass::BlendPass(gl::ProgramRegistry& programs) : programs_{programs} {
-    static_cast<void>(program(true, ShadowParameters{}.taps == ShadowTaps::sixteen, false));
+    static_cast<void>(
+        program({.shadowed = true, .wide_filter = ShadowParameters{}.taps == ShadowTaps::sixteen}));
 }
 
-const gl::Program& BlendPass::program(bool shadowed, bool wide_filter, bool detailed) {
-    const std::size_t index = (shadowed ? 1u : 0u) | (wide_filter ? 2u : 0u) | (detailed ? 4u : 0u);
+const gl::Program& BlendPass::program(Variant variant) {
+    const std::size_t index = (variant.shadowed ? 1u : 0u) | (variant.wide_filter ? 2u : 0u) |
+                              (variant.detailed ? 4u : 0u) | (variant.skinned ? 8u : 0u) |
+                              (variant.morphed ? 16u : 0u);
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = "blend",
                                            .vertex = "mesh.vert.glsl",
                                            .fragment = "blend.frag.glsl",
                                            .compute = {},
-                                           .defines = {{"SHADOW_MAP", shadowed ? "1" : "0"},
-                                                       {"TAPS", wide_filter ? "16" : "4"},
-                                                       {"DETAIL", detailed ? "1" : "0"},
-                                                       {"EMISSION", "1"}}});
+                                           .defines = {{"SHADOW_MAP", variant.shadowed ? "1" : "0"},
+                                                       {"TAPS", variant.wide_filter ? "16" : "4"},
+                                                       {"DETAIL", variant.detailed ? "1" : "0"},
+                                                       {"EMISSION", "1"},
+                                                       {"SKINNED", variant.skinned ? "1" : "0"},
+                                                       {"MORPHED", variant.morphed ? "1" : "0"}}});
     }
     return *variants_[index];
 }
@@ -45,8 +50,13 @@ void BlendPass::add(RenderGraph& graph, FrameResources& resources) {
             glEnable(GL_BLEND);
             glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
             const DrawCounts drawn = resources.blended.draw(
-                resources.scene, [&](systems::Pipeline, std::uint32_t material) -> const gl::Program& {
-                    return program(shadowed, wide_filter, has_detail(resources.scene.material(material)));
+                resources.scene,
+                [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
+                    return program({.shadowed = shadowed,
+                                    .wide_filter = wide_filter,
+                                    .detailed = has_detail(resources.scene.material(material)),
+                                    .skinned = pipeline.skinned,
+                                    .morphed = pipeline.morphed});
                 });
             resources.counts.draws += drawn.draws;
             resources.counts.calls += drawn.calls;

@@ -16,10 +16,17 @@ public:
     void add(RenderGraph& graph, FrameResources& resources);
 
 private:
-    [[nodiscard]] const gl::Program& program(bool shadowed, bool wide_filter, bool detailed);
+    struct Variant {
+        bool shadowed = false;
+        bool wide_filter = false;
+        bool detailed = false;
+        bool skinned = false;
+        bool morphed = false;
+    };
+    [[nodiscard]] const gl::Program& program(Variant variant);
 
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, 8> variants_{};
+    std::array<const gl::Program*, 32> variants_{};
 };
 
 }  // namespace rambla::render

@@ -11,20 +11,24 @@ bool has_detail(const assets::Material& material) {
 GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {
     for (const bool masked : {false, true}) {
         for (const bool detailed : {false, true})
-            static_cast<void>(program(masked, detailed, false));
+            static_cast<void>(program({.masked = masked, .detailed = detailed}));
     }
 }
 
-const gl::Program& GBufferPass::program(bool masked, bool detailed, bool emissive) {
-    const std::size_t index = (masked ? 1u : 0u) | (detailed ? 2u : 0u) | (emissive ? 4u : 0u);
+const gl::Program& GBufferPass::program(Variant variant) {
+    const std::size_t index = (variant.masked ? 1u : 0u) | (variant.detailed ? 2u : 0u) |
+                              (variant.emissive ? 4u : 0u) | (variant.skinned ? 8u : 0u) |
+                              (variant.morphed ? 16u : 0u);
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = "gbuffer",
                                            .vertex = "mesh.vert.glsl",
                                            .fragment = "gbuffer.frag.glsl",
                                            .compute = {},
-                                           .defines = {{"ALPHA_MASK", masked ? "1" : "0"},
-                                                       {"DETAIL", detailed ? "1" : "0"},
-                                                       {"EMISSION", emissive ? "1" : "0"}}});
+                                           .defines = {{"ALPHA_MASK", variant.masked ? "1" : "0"},
+                                                       {"DETAIL", variant.detailed ? "1" : "0"},
+                                                       {"EMISSION", variant.emissive ? "1" : "0"},
+                                                       {"SKINNED", variant.skinned ? "1" : "0"},
+                                                       {"MORPHED", variant.morphed ? "1" : "0"}}});
     }
     return *variants_[index];
 }
@@ -58,8 +62,12 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
             const DrawCounts drawn = resources.opaque.draw(
                 resources.scene,
                 [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
-                    const bool masked = pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask);
-                    return program(masked, has_detail(resources.scene.material(material)), emissive);
+                    return program(
+                        {.masked = pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask),
+                         .detailed = has_detail(resources.scene.material(material)),
+                         .emissive = emissive,
+                         .skinned = pipeline.skinned,
+                         .morphed = pipeline.morphed});
                 });
             resources.counts.draws += drawn.draws;
             resources.counts.calls += drawn.calls;

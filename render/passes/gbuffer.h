@@ -17,11 +17,18 @@ public:
 
 private:
     /// Masked materials need a discard, which costs early depth; few materials have more than a base colour,
-    /// and texture filtering is what this pass costs; emission needs a target.
-    [[nodiscard]] const gl::Program& program(bool masked, bool detailed, bool emissive);
+    /// and texture filtering is what this pass costs; emission needs a target; few meshes deform.
+    struct Variant {
+        bool masked = false;
+        bool detailed = false;
+        bool emissive = false;
+        bool skinned = false;
+        bool morphed = false;
+    };
+    [[nodiscard]] const gl::Program& program(Variant variant);
 
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, 8> variants_{};
+    std::array<const gl::Program*, 32> variants_{};
 };
 
 /// Whether a material needs the DETAIL variant of shaders/material.glsl.

@@ -1,6 +1,6 @@
-// Vertices of the G-buffer and blend passes. Defines: those of material.glsl.
+// Vertices of the G-buffer and blend passes. Defines: those of material.glsl and deform.glsl.
 #include "frame.glsl"
-#include "scene_buffers.glsl"
+#include "deform.glsl"
 
 layout(location = ATTRIBUTE_POSITION) in vec3 local_position;
 layout(location = ATTRIBUTE_NORMAL) in vec3 local_normal;
@@ -13,22 +13,26 @@ layout(location = ATTRIBUTE_COLOUR) in vec4 vertex_colour;
 #include "mesh_varyings.glsl"
 
 void main() {
-    Instance instance = instances[gl_BaseInstanceARB + gl_InstanceID];
-    vec3 world = world_from_local(instance, local_position);
+    Instance instance = skinned(instances[gl_BaseInstanceARB + gl_InstanceID]);
+    vec3 position = local_position;
+    vec3 normal = local_normal;
+    vec4 tangent = local_tangent;
+    morph(instance, position, normal, tangent.xyz);
+    vec3 world = world_from_local(instance, position);
     gl_Position = frame.clip_from_world * vec4(world, 1.0);
 
     // Normals transform by the inverse transpose, which is the cofactor matrix over the determinant; of the
     // latter only the sign matters here, and a singular matrix needs no division.
     vec3 r0 = instance.row0.xyz, r1 = instance.row1.xyz, r2 = instance.row2.xyz;
     float handedness = dot(r0, cross(r1, r2)) < 0.0 ? -1.0 : 1.0;
-    vec3 cofactor_normal = vec3(dot(cross(r1, r2), local_normal), dot(cross(r2, r0), local_normal),
-                                dot(cross(r0, r1), local_normal));
+    vec3 cofactor_normal =
+        vec3(dot(cross(r1, r2), normal), dot(cross(r2, r0), normal), dot(cross(r0, r1), normal));
     varyings.position = world;
     // Scaled to the length 1 here so that interpolation weighs all three corners alike.
     float length2 = max(dot(cofactor_normal, cofactor_normal), 1e-30);
     varyings.normal = handedness * cofactor_normal * inversesqrt(length2);
-    vec3 tangent = vec3(dot(r0, local_tangent.xyz), dot(r1, local_tangent.xyz), dot(r2, local_tangent.xyz));
-    varyings.tangent = vec4(tangent, handedness * local_tangent.w);
+    varyings.tangent = vec4(dot(r0, tangent.xyz), dot(r1, tangent.xyz), dot(r2, tangent.xyz),
+                            handedness * tangent.w);
     varyings.colour = vertex_colour;
     varyings.material = material_row(instance);
     Material m = materials[varyings.material];

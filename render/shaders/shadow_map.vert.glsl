@@ -1,5 +1,5 @@
-// Casters into the sun's map. Define ALPHA_MASK: passes on what the cut-out needs.
-#include "scene_buffers.glsl"
+// Casters into the sun's map. Define ALPHA_MASK: passes on what the cut-out needs; others: deform.glsl.
+#include "deform.glsl"
 
 layout(location = ATTRIBUTE_POSITION) in vec3 local_position;
 #if ALPHA_MASK
@@ -16,8 +16,10 @@ layout(std140, binding = BINDING_PASS_UNIFORMS) uniform CasterBlock {
 };
 
 void main() {
-    Instance instance = instances[gl_BaseInstanceARB + gl_InstanceID];
-    gl_Position = clip_from_world * vec4(world_from_local(instance, local_position), 1.0);
+    Instance instance = skinned(instances[gl_BaseInstanceARB + gl_InstanceID]);
+    vec3 position = local_position;
+    morph(instance, position);
+    gl_Position = clip_from_world * vec4(world_from_local(instance, position), 1.0);
 #if ALPHA_MASK
     mask_material = material_row(instance);
     Material m = materials[mask_material];

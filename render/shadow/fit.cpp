@@ -179,15 +179,4 @@ SunFit fit_sun_map(const FitInput& input, const systems::CasterColumns& casters)
     return finite(fit.clip_from_world) ? fit : SunFit{};
 }
 
-assets::Bounds instance_bounds(const systems::Instance& instance, const assets::Bounds& mesh_bounds) {
-    if (mesh_bounds.empty()) return mesh_bounds;
-    const glm::mat3 rows{glm::vec3{instance.row0}, glm::vec3{instance.row1}, glm::vec3{instance.row2}};
-    const glm::vec3 translation{instance.row0.w, instance.row1.w, instance.row2.w};
-    const glm::vec3 half = mesh_bounds.half_extents();
-    // Rows as columns: v · rows is the product with the matrix itself.
-    const glm::vec3 centre = mesh_bounds.centre() * rows + translation;
-    const glm::vec3 reach = half * glm::mat3{glm::abs(rows[0]), glm::abs(rows[1]), glm::abs(rows[2])};
-    return {centre - reach, centre + reach};
-}
-
 }  // namespace rambla::render::shadow

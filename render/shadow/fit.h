@@ -43,8 +43,4 @@ struct SunFit {
 /// the view's up direction instead of its own.
 [[nodiscard]] SunFit fit_sun_map(const FitInput& input, const systems::CasterColumns& casters);
 
-/// World box of one instance of a mesh. @param mesh_bounds  in the mesh's own space; empty stays empty
-[[nodiscard]] assets::Bounds instance_bounds(const systems::Instance& instance,
-                                             const assets::Bounds& mesh_bounds);
-
 }  // namespace rambla::render::shadow

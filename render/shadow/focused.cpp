@@ -14,22 +14,6 @@ constexpr float k_fade_share = 0.1f;
 /// A caster's depth is that of its texel's centre: half a texel aside, for surfaces that nearly face the sun.
 constexpr float k_towards_sun_texels = 0.5f;
 
-assets::Bounds visible_bounds(const FrameResources& resources) {
-    assets::Bounds bounds;
-    const auto expand = [&](std::span<const systems::DrawBatch> batches) {
-        for (const systems::DrawBatch& batch : batches) {
-            const assets::Bounds& mesh = resources.scene.mesh(batch.mesh).bounds;
-            for (std::uint32_t i = 0; i < batch.instance_count; ++i) {
-                bounds.expand(
-                    shadow::instance_bounds(resources.frame.instances[batch.first_instance + i], mesh));
-            }
-        }
-    };
-    expand(resources.frame.opaque);
-    expand(resources.frame.blended);
-    return bounds;
-}
-
 shared::SunShadow constants(const shadow::SunFit& fit, const ShadowParameters& parameters) {
     const glm::mat4 map_from_clip{glm::vec4{0.5f, 0.0f, 0.0f, 0.0f}, glm::vec4{0.0f, 0.5f, 0.0f, 0.0f},
                                   glm::vec4{0.0f, 0.0f, 1.0f, 0.0f}, glm::vec4{0.5f, 0.5f, 0.0f, 1.0f}};
@@ -47,17 +31,24 @@ shared::SunShadow constants(const shadow::SunFit& fit, const ShadowParameters& p
 
 }  // namespace
 
-FocusedShadowPass::FocusedShadowPass(gl::ProgramRegistry& programs)
-    : opaque_{programs.get({.name = "shadow map",
-                            .vertex = "shadow_map.vert.glsl",
-                            .fragment = {},
-                            .compute = {},
-                            .defines = {{"ALPHA_MASK", "0"}}})},
-      masked_{programs.get({.name = "shadow map, masked",
-                            .vertex = "shadow_map.vert.glsl",
-                            .fragment = "shadow_mask.frag.glsl",
-                            .compute = {},
-                            .defines = {{"ALPHA_MASK", "1"}}})} {}
+FocusedShadowPass::FocusedShadowPass(gl::ProgramRegistry& programs) : programs_{programs} {
+    for (const bool masked : {false, true})
+        static_cast<void>(program(masked, false, false));
+}
+
+const gl::Program& FocusedShadowPass::program(bool masked, bool skinned, bool morphed) {
+    const std::size_t index = (masked ? 1u : 0u) | (skinned ? 2u : 0u) | (morphed ? 4u : 0u);
+    if (variants_[index] == nullptr) {
+        variants_[index] = &programs_.get({.name = masked ? "shadow map, masked" : "shadow map",
+                                           .vertex = "shadow_map.vert.glsl",
+                                           .fragment = masked ? "shadow_mask.frag.glsl" : "",
+                                           .compute = {},
+                                           .defines = {{"ALPHA_MASK", masked ? "1" : "0"},
+                                                       {"SKINNED", skinned ? "1" : "0"},
+                                                       {"MORPHED", morphed ? "1" : "0"}}});
+    }
+    return *variants_[index];
+}
 
 void FocusedShadowPass::cull_casters(const systems::CasterColumns& casters, const shadow::SunFit& fit) {
     // All but the plane towards the sun: casters before it are clamped to it.
@@ -86,7 +77,7 @@ void FocusedShadowPass::add(RenderGraph& graph, FrameResources& resources) {
     const shadow::SunFit fit = shadow::fit_sun_map({.view = resources.frame.view,
                                                     .direction_to_sun = environment.direction_to_sun,
                                                     .distance_m = parameters.distance_m,
-                                                    .receivers = visible_bounds(resources),
+                                                    .receivers = resources.frame.visible,
                                                     .size_texels = size},
                                                    resources.frame.casters);
     if (fit.empty) return;
@@ -113,8 +104,8 @@ void FocusedShadowPass::add(RenderGraph& graph, FrameResources& resources) {
             glEnable(GL_DEPTH_CLAMP);
             const DrawCounts drawn = casters_.draw(
                 resources.scene, [this](systems::Pipeline pipeline, std::uint32_t) -> const gl::Program& {
-                    return pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask) ? masked_
-                                                                                                : opaque_;
+                    return program(pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask),
+                                   pipeline.skinned, pipeline.morphed);
                 });
             glDisable(GL_DEPTH_CLAMP);
             resources.counts.draws += drawn.draws;

@@ -21,10 +21,11 @@ public:
     void add(RenderGraph& graph, FrameResources& resources);
 
 private:
+    [[nodiscard]] const gl::Program& program(bool masked, bool skinned, bool morphed);
     void cull_casters(const systems::CasterColumns& casters, const shadow::SunFit& fit);
 
-    const gl::Program& opaque_;
-    const gl::Program& masked_;
+    gl::ProgramRegistry& programs_;
+    std::array<const gl::Program*, 8> variants_{};
     DrawList casters_;
     std::vector<std::uint32_t> visible_;  ///< masks of the culling sweep
     std::vector<std::uint32_t> rows_;

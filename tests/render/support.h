@@ -93,10 +93,12 @@ public:
         std::uint32_t material = 0;
         glm::mat4 world_from_local{1.0f};
         bool casts = true;
+        std::vector<glm::mat4> world_from_mesh{};  ///< by joint; empty: not skinned
+        std::vector<systems::MorphTerm> morphs{};  ///< of the mesh's own targets; empty: not morphed
     };
     void place(std::uint32_t mesh_index, std::uint32_t material_index,
                const glm::mat4& world_from_local = glm::mat4{1.0f}, bool casts = true) {
-        things.push_back({mesh_index, material_index, world_from_local, casts});
+        things.push_back({mesh_index, material_index, world_from_local, casts, {}, {}});
     }
 
     void look(glm::vec3 from, glm::vec3 to, float vertical_fov_rad = 1.0f, glm::vec3 up = {0, 1, 0}) {
@@ -160,6 +162,9 @@ public:
 private:
     void pack() {
         frame.instances.clear();
+        frame.joints.clear();
+        frame.morphs.clear();
+        frame.visible = {};
         frame.opaque.clear();
         frame.blended.clear();
         frame.casters = {};
@@ -177,20 +182,27 @@ private:
             .mirrored = glm::determinant(glm::mat3{relative}) < 0.0f,
             .alpha = static_cast<std::uint8_t>(m.alpha_mode),
             .topology = static_cast<std::uint8_t>(scene.meshes[thing.mesh].topology),
-            .unlit = m.unlit};
+            .unlit = m.unlit,
+            .skinned = !thing.world_from_mesh.empty(),
+            .morphed = !thing.morphs.empty()};
         const systems::DrawBatch batch{.pipeline = systems::pack(pipeline),
                                        .material = thing.material,
                                        .mesh = thing.mesh,
                                        .first_instance = static_cast<std::uint32_t>(frame.instances.size()),
                                        .instance_count = 1};
-        frame.instances.push_back(
-            {.row0 = rows[0], .row1 = rows[1], .row2 = rows[2], .material = thing.material});
+        frame.instances.push_back({.row0 = rows[0],
+                                   .row1 = rows[1],
+                                   .row2 = rows[2],
+                                   .material = thing.material,
+                                   .joints = static_cast<std::uint32_t>(frame.joints.size()),
+                                   .morphs = static_cast<std::uint32_t>(frame.morphs.size())});
+        const assets::Bounds box = deform(thing, relative);
+        frame.visible.expand(box);
         const bool blended = m.alpha_mode == assets::AlphaMode::blend;
         (blended ? frame.blended : frame.opaque).push_back(batch);
         if (m.unlit || glm::dot(m.emissive, glm::vec3{1.0f}) > 0.0f)
             frame.emissive = frame.emissive || !blended;
         if (!thing.casts || blended) return;
-        const assets::Bounds box = assets::transformed(scene.meshes[thing.mesh].bounds, relative);
         systems::CasterColumns& c = frame.casters;
         c.centre_x.push_back(box.centre().x);
         c.centre_y.push_back(box.centre().y);
@@ -202,6 +214,31 @@ private:
         c.material.push_back(batch.material);
         c.mesh.push_back(batch.mesh);
         c.instance.push_back(batch.first_instance);
+    }
+
+    /// Adds joints and morph terms of a thing, and finds a box around it.
+    assets::Bounds deform(const Thing& thing, const glm::mat4& relative) {
+        std::uint32_t first_target = 0;
+        for (std::uint32_t i = 0; i < thing.mesh; ++i)
+            first_target += static_cast<std::uint32_t>(scene.meshes[i].morphs.size());
+        assets::Bounds local = scene.meshes[thing.mesh].bounds;
+        for (const systems::MorphTerm& term : thing.morphs) {
+            frame.morphs.push_back({first_target + term.target, term.weight});
+            for (const glm::vec3& delta : scene.meshes[thing.mesh].morphs[term.target].positions) {
+                local.expand(local.min + term.weight * delta);
+                local.expand(local.max + term.weight * delta);
+            }
+        }
+        if (!thing.morphs.empty()) frame.morphs.push_back({});
+        if (thing.world_from_mesh.empty()) return assets::transformed(local, relative);
+        assets::Bounds box;
+        for (const glm::mat4& joint : thing.world_from_mesh) {
+            const glm::mat4 from_eye = glm::translate(glm::mat4{1.0f}, -eye) * joint;
+            const glm::mat4 rows = glm::transpose(from_eye);
+            frame.joints.push_back({rows[0], rows[1], rows[2]});
+            box.expand(assets::transformed(local, from_eye));
+        }
+        return box;
     }
 
     [[nodiscard]] static Picture take(const render::FrameOutput& output) {

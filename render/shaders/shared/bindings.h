@@ -10,7 +10,10 @@
 #define BINDING_INSTANCES 0     // shared/instance.h, bound for the whole frame
 #define BINDING_MATERIALS 1     // shared/material.h, bound for the whole frame
 #define BINDING_LIGHTS 2        // shared/light.h, bound for the whole frame
-#define BINDING_PASS_STORAGE 3  // first of each pass's own
+#define BINDING_JOINTS 3        // shared/deformation.h, bound for the whole frame
+#define BINDING_MORPH_TERMS 4   // shared/deformation.h, bound for the whole frame
+#define BINDING_MORPHS 5        // render/scene_morphs.h, bound for the whole frame
+#define BINDING_PASS_STORAGE 6  // first of each pass's own
 
 // Texture units. Material textures are bound by render/draw.h, the others by each pass.
 #define UNIT_BASE_COLOUR 0
@@ -27,5 +30,8 @@
 #define ATTRIBUTE_UV0 3       // vec2
 #define ATTRIBUTE_UV1 4       // vec2
 #define ATTRIBUTE_COLOUR 5    // vec4, linear
+// Of skinned meshes only.
+#define ATTRIBUTE_JOINTS 6   // uvec4
+#define ATTRIBUTE_WEIGHTS 7  // vec4, of sum 1
 
 #endif

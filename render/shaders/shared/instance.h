@@ -11,8 +11,8 @@ struct Instance {
     vec4 row2;
     uint material;
     uint object;
-    uint reserved0;
-    uint reserved1;
+    uint joints;  // skinned: row of the joints that is joint 0
+    uint morphs;  // morphed: first of its morph terms
 };
 SHARED_END
 

@@ -20,6 +20,7 @@ FrameInput one_triangle() {
     frame.instances.push_back({.row2 = {0.0f, 0.0f, 1.0f, -3.0f}, .material = 0});
     frame.opaque.push_back(
         {.pipeline = systems::pack({}), .material = 0, .mesh = 0, .first_instance = 0, .instance_count = 1});
+    frame.visible = {{-1.0f, -1.0f, -3.0f}, {1.0f, 1.0f, -3.0f}};
     frame.lights.push_back(
         {.position_m = {0.0f, 0.0f, -2.0f}, .radius_m = 5.0f, .intensity = glm::vec3{1.0f}});
     systems::CasterColumns& casters = frame.casters;

@@ -280,19 +280,4 @@ TEST(ConvexIntersection, HoldsExactlyThePointsOfBothBodies) {
     EXPECT_EQ(render::shadow::intersect(slice, {{-1, -1, 1}, {1, 1, 2}}).count, 0u);
 }
 
-TEST(InstanceBounds, EqualTheTransformedBox) {
-    const glm::mat4 m =
-        glm::rotate(glm::translate(glm::mat4{1.0f}, {3, -2, 7}), 0.7f, glm::normalize(glm::vec3{1, 2, 3})) *
-        glm::scale(glm::mat4{1.0f}, {-2.0f, 0.5f, 1.5f});
-    const glm::mat4 t = glm::transpose(m);
-    const systems::Instance instance{.row0 = t[0], .row1 = t[1], .row2 = t[2]};
-    const assets::Bounds box{{-1, -2, -3}, {2, 1, 4}};
-    const assets::Bounds expected = assets::transformed(box, m);
-    const assets::Bounds found = render::shadow::instance_bounds(instance, box);
-    for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_NEAR(found.min[axis], expected.min[axis], 1e-5f);
-        EXPECT_NEAR(found.max[axis], expected.max[axis], 1e-5f);
-    }
-}
-
 }  // namespace

@@ -27,6 +27,17 @@ assets::Scene all_kinds() {
         for (const glm::vec3& position : mesh.positions)
             mesh.bounds.expand(position);
     }
+    // Three ways to deform: by joints, by morph targets, by both.
+    scene.skeletons.emplace_back();
+    for (const unsigned ways : {1u, 2u, 3u}) {
+        assets::Mesh mesh = scene.meshes[0];
+        if ((ways & 1u) != 0) {
+            mesh.joints.assign(3, {0, 3, 0, 0});
+            mesh.weights.assign(3, {0.5f, 0.5f, 0, 0});
+        }
+        if ((ways & 2u) != 0) mesh.morphs.resize(1);
+        scene.meshes.push_back(std::move(mesh));
+    }
     assets::Model& model = scene.models.emplace_back();
     const auto add = [&](const assets::Material& material, std::uint32_t mesh) {
         model.parts.push_back({.mesh = mesh, .material = static_cast<std::uint32_t>(scene.materials.size())});
@@ -46,13 +57,15 @@ assets::Scene all_kinds() {
     add({}, 1);
     add({}, 2);
     model.parts.push_back({.mesh = 0, .material = assets::k_none});
+    for (const std::uint32_t mesh : {3u, 4u, 5u})
+        model.parts.push_back({.mesh = mesh, .material = 0});
     return scene;
 }
 
-TEST(WarmUp, DrawsEveryMaterialOnce) {
+TEST(WarmUp, DrawsEveryMaterialOnceForEachWayToDeform) {
     const assets::Scene scene = all_kinds();
     for (const FrameInput& input : warm_up_frames(scene)) {
-        EXPECT_EQ(input.frame.opaque.size() + input.frame.blended.size(), scene.materials.size() + 1);
+        EXPECT_EQ(input.frame.opaque.size() + input.frame.blended.size(), scene.materials.size() + 1 + 3);
         EXPECT_EQ(input.frame.blended.size(), 4u);
         EXPECT_EQ(input.frame.casters.size(), input.frame.opaque.size());
     }
