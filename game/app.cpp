@@ -77,6 +77,7 @@ public:
                                       .input = input_,
                                       .keys_free = !interface_.wants_keys(),
                                       .pointer_free = !interface_.wants_pointer()});
+            hud_.caption = shot.caption;
             fill(frame, shot, now);
             frame.frame.hud = build_interface(shot, elapsed_s);
             thread_.submit();

@@ -24,6 +24,7 @@ struct Shot {
     systems::Eye eye;            ///< its size is the window's
     float interpolation = 1.0f;  ///< between the step before (0) and the newest (1)
     std::uint64_t steps = 0;     ///< simulated so far
+    std::string caption{};       ///< one line over the picture; may be empty
 };
 
 /// What an update learns of its user.

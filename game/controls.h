@@ -22,15 +22,24 @@ enum class Action : std::uint8_t {
     full_screen,
     screenshot,
     pause,
+    next_clip,
+    slower,
+    faster,
     quit
 };
 inline constexpr std::size_t k_actions = static_cast<std::size_t>(Action::quit) + 1;
 
-/// An action, its keys (GLFW's codes, 0 for none), and how the help screen calls both. `walking` ones mean
-/// nothing where there is nobody to walk.
+/// Where an action means something.
+enum class ControlScope : std::uint8_t {
+    everywhere,
+    walking,  ///< where there is somebody to walk
+    viewing   ///< where a model is looked at
+};
+
+/// An action, its keys (GLFW's codes, 0 for none), and how the help screen calls both.
 struct Control {
     Action action;
-    bool walking;
+    ControlScope scope;
     std::array<int, 3> keys;
     std::string_view keys_text;
     std::string_view help;

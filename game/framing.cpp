@@ -47,18 +47,6 @@ std::vector<PlacedNode> placed_nodes(const assets::Scene& scene) {
     return placed;
 }
 
-assets::Bounds scene_bounds(const assets::Scene& scene) {
-    assets::Bounds box;
-    for (const PlacedNode& placed : placed_nodes(scene)) {
-        const std::uint32_t model = scene.nodes[placed.node].model;
-        if (model == assets::k_none) continue;
-        for (const assets::ModelPart& part : scene.models[model].parts) {
-            box.expand(transformed(scene.meshes[part.mesh].bounds, placed.scene_from_node));
-        }
-    }
-    return box;
-}
-
 Orbit frame_bounds(const assets::Bounds& box, float vertical_fov_rad, float aspect) {
     Orbit orbit{.target_m = box.empty() ? glm::vec3{0.0f} : box.centre(),
                 .distance_m = 0.0f,

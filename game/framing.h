@@ -20,9 +20,6 @@ struct PlacedNode {
 /// All nodes under the scene's roots, parents before children.
 [[nodiscard]] std::vector<PlacedNode> placed_nodes(const assets::Scene& scene);
 
-/// Box around all that the scene shows by default; empty if it shows nothing.
-[[nodiscard]] assets::Bounds scene_bounds(const assets::Scene& scene);
-
 /// A camera that circles a point: what the mouse moves in `view`.
 struct Orbit {
     glm::vec3 target_m{0.0f};

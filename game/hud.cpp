@@ -31,7 +31,7 @@ void draw_help(bool walking) {
     ImGui::Begin("help", nullptr, k_passive);
     if (ImGui::BeginTable("keys", 2)) {
         for (const Control& control : controls()) {
-            if (control.walking && !walking) continue;
+            if (control.scope == (walking ? ControlScope::viewing : ControlScope::walking)) continue;
             ImGui::TableNextColumn();
             text(control.keys_text);
             ImGui::TableNextColumn();
@@ -106,7 +106,7 @@ void draw_hud(const Hud& hud, const TimingsPanel& timings) {
     if (hud.timings) draw_timings(hud.picture_ms, timings);
     if (hud.help) draw_help(hud.walking);
     if (hud.paused) draw_line("pause", 0.1f, "Pause (P goes on)");
-    draw_line("notice", 1.0f, hud.notice);
+    draw_line("notice", 1.0f, hud.notice.empty() ? hud.caption : hud.notice);
     draw_line("shader error", 0.85f, hud.shader_error);
 }
 

@@ -31,7 +31,8 @@ struct Hud {
     bool paused = false;
     bool walking = true;       ///< whether there is somebody to walk: which keys the help names
     double picture_ms = 0.0;   ///< time between two pictures
-    std::string notice;        ///< one line at the bottom, such as where a screenshot went
+    std::string caption;       ///< one line at the bottom, of what is shown
+    std::string notice;        ///< in its place for a while, such as where a screenshot went
     std::string shader_error;  ///< of the last reload; empty when it went well
 };
 

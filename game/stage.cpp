@@ -14,7 +14,7 @@ Stage make_stage(const std::string& scene, std::uint64_t seed, const systems::Wo
     assets::Place place = assets::generate_place(scene, seed);
     Stage stage;
     stage.world = std::make_unique<ecs::World>();
-    systems::spawn(*stage.world, place, origin, seed);
+    stage.player = systems::spawn(*stage.world, place, origin, seed).player;
     stage.scene = std::make_shared<const assets::Scene>(std::move(place.scene));
     stage.walk = std::move(place.walk);
     stage.walk_fov_rad = place.walk_fov_rad;
@@ -28,7 +28,7 @@ Stage make_stage(assets::Scene scene, const assets::Environment& light,
     stage.world = std::make_unique<ecs::World>();
     stage.world->set_resource(systems::Sunlight{light});
     assets::blend_transmission(scene);
-    systems::spawn(*stage.world, scene, origin);
+    stage.player = systems::spawn(*stage.world, scene, origin).player;
     stage.scene = std::make_shared<const assets::Scene>(std::move(scene));
     stage.origin = origin;
     return stage;

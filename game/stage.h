@@ -17,6 +17,7 @@ struct Stage {
     std::shared_ptr<const assets::Scene> scene;
     std::vector<assets::CameraKey> walk;
     float walk_fov_rad = 1.0f;
+    ecs::Entity player;             ///< plays the scene's clips; null if it has none
     systems::WorldPosition origin;  ///< where the place's own (0,0,0) stands
 };
 

@@ -13,8 +13,8 @@
 namespace rambla::game {
 
 /// The triangles around a walker, of all that stands still in a world. Gathered anew only after some metres
-/// of way, so its cost follows what is near, not how large the world is. What moves (people, cars) is not
-/// solid.
+/// of way, so its cost follows what is near, not how large the world is. What moves (people, cars, skins) is
+/// not solid.
 class Surroundings {
 public:
     /// Both must outlive this.
@@ -34,7 +34,7 @@ private:
     const ecs::World& world_;
     const assets::Scene& scene_;
     ecs::Query<const systems::WorldTransform, const systems::Renderable, const systems::LocalBounds,
-               ecs::Without<systems::PreviousWorldTransform>>
+               ecs::Without<systems::PreviousWorldTransform>, ecs::Without<systems::Skinned>>
         standing_;
     systems::WorldPosition anchor_;
     bool gathered_ = false;

@@ -12,9 +12,8 @@ constexpr float k_wheel_factor = 0.88f;       // each notch comes an eighth near
 
 }  // namespace
 
-ViewSession::ViewSession(const systems::Eye& start, const assets::Bounds& box,
-                         const systems::WorldPosition& origin)
-    : origin_{origin}, eye_{start}, orbit_{orbit_of(start, box, origin)} {}
+ViewSession::ViewSession(Stage& stage, const systems::Eye& start, const assets::Bounds& box)
+    : origin_{stage.origin}, eye_{start}, orbit_{orbit_of(start, box, stage.origin)}, clips_{stage} {}
 
 Shot ViewSession::update(const Moment& moment) {
     const Input& input = moment.input;
@@ -30,7 +29,9 @@ Shot ViewSession::update(const Moment& moment) {
         eye_.half_height_m *= nearer;  // an orthographic picture does not grow by coming nearer
         eye_ = eye_of(orbit_, origin_, eye_);
     }
-    return {.eye = eye_, .interpolation = 1.0f, .steps = 0};
+    const float interpolation = clips_.update(moment);
+    return {
+        .eye = eye_, .interpolation = interpolation, .steps = clips_.steps(), .caption = clips_.caption()};
 }
 
 }  // namespace rambla::game

@@ -58,8 +58,10 @@ Command add_play(CLI::App& program) {
     CLI::App* const line = program.add_subcommand("play", "Opens a window and lets you walk through a scene");
     const auto command = std::make_shared<PlayCommand>();
     std::string keys = "Keys:\n";
-    for (const Control& control : controls())
+    for (const Control& control : controls()) {
+        if (control.scope == ControlScope::viewing) continue;
         keys += fmt::format("    {:<24} {}\n", control.keys_text, control.help);
+    }
     line->footer(keys);
     add_scene_options(*line, command->options);
     add_place_options(*line, command->options);

@@ -2,6 +2,8 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -14,6 +16,7 @@
 #include "assets/export/image.h"
 #include "assets/import/gltf.h"
 #include "game/app.h"
+#include "game/clips.h"
 #include "game/commands/command.h"
 #include "game/exit_code.h"
 #include "game/framing.h"
@@ -22,6 +25,7 @@
 #include "game/view_session.h"
 #include "game/window.h"
 #include "render/render_thread.h"
+#include "systems/components.h"
 #include "systems/position.h"
 
 namespace rambla::game {
@@ -37,6 +41,10 @@ struct ViewCommand {
     fs::path out;
     std::optional<std::uint32_t> camera;
     std::uint64_t frames = 0;
+    std::string clip;
+    double clip_time_s = 0.0;
+    const CLI::Option* clip_given = nullptr;
+    const CLI::Option* clip_time_given = nullptr;
     const CLI::Option* shadows = nullptr;
 };
 
@@ -68,6 +76,34 @@ render::Settings settings_for(const ViewCommand& command, const systems::Eye& ey
     return settings;
 }
 
+/// The clip that the user asked for; else, where something shall move, the first.
+std::optional<std::uint32_t> chosen_clip(const ViewCommand& command, const Stage& stage, bool moves) {
+    const assets::Scene& scene = *stage.scene;
+    if (command.clip_given->count() > 0) {
+        const std::uint32_t clip = find_clip(scene, command.clip, command.file.string());
+        if (stage.player != ecs::Entity{}) return clip;
+        throw std::invalid_argument{
+            fmt::format("--clip is '{}', but nothing that it moves is in the default scene of {}",
+                        command.clip, command.file.string())};
+    }
+    if (stage.player != ecs::Entity{} && (moves || command.clip_time_given->count() > 0)) return 0;
+    if (command.clip_time_given->count() == 0) return {};
+    throw std::invalid_argument{
+        fmt::format("--clip-time is {} s, but {} has no clips", command.clip_time_s, command.file.string())};
+}
+
+/// What plays, for the results.
+void add_clip(nlohmann::json& json, const Stage& stage) {
+    json["clips"] = stage.scene->clips.size();
+    json["clip"] = nullptr;
+    json["clip_time_s"] = nullptr;
+    if (stage.player == ecs::Entity{}) return;
+    const systems::ClipCursor& playing = stage.world->get<systems::AnimationPlayer>(stage.player).playing;
+    if (playing.clip == assets::k_none) return;
+    json["clip"] = clip_label(*stage.scene, playing.clip);
+    json["clip_time_s"] = playing.time_s;
+}
+
 int draw_picture(const ViewCommand& command, Stage& stage, systems::Eye eye,
                  const render::Settings& settings) {
     const bool linear = command.out.extension() == ".exr";
@@ -85,30 +121,43 @@ int draw_picture(const ViewCommand& command, Stage& stage, systems::Eye eye,
     const std::optional<assets::Image>& picture = linear ? outputs.at(0).linear : outputs.at(0).display;
     if (command.out.has_parent_path()) fs::create_directories(command.out.parent_path());
     assets::write_image(command.out, picture.value());
-    write_json(command.options.json, {{"schema", "rambla.view/1"},
-                                      {"file", command.file.string()},
-                                      {"out", command.out.string()},
-                                      {"entities", stage.world->entity_count()},
-                                      {"visible", counts.visible},
-                                      {"lights", counts.lights},
-                                      {"draws", outputs.at(0).feedback.draws},
-                                      {"triangles", outputs.at(0).feedback.triangles}});
+    nlohmann::json json{{"schema", "rambla.view/1"},
+                        {"file", command.file.string()},
+                        {"out", command.out.string()},
+                        {"entities", stage.world->entity_count()},
+                        {"visible", counts.visible},
+                        {"lights", counts.lights},
+                        {"draws", outputs.at(0).feedback.draws},
+                        {"triangles", outputs.at(0).feedback.triangles}};
+    add_clip(json, stage);
+    write_json(command.options.json, json);
     spdlog::info("Wrote {}", command.out.string());
     return k_done;
 }
 
 int show_window(const ViewCommand& command, Stage& stage, const systems::Eye& eye, const assets::Bounds& box,
                 const render::Settings& settings) {
-    ViewSession session{eye, box, command.options.origin};
+    ViewSession session{stage, eye, box};
     const std::uint64_t frames =
         run_app({.title = "Rambla: " + command.file.filename().string(),
                  .size_px = command.options.size_px,
                  .walking = false,
                  .frames = command.frames},
                 stage, settings, [&session](const Moment& moment) { return session.update(moment); });
-    write_json(command.options.json,
-               {{"schema", "rambla.view/1"}, {"file", command.file.string()}, {"frames", frames}});
+    nlohmann::json json{{"schema", "rambla.view/1"}, {"file", command.file.string()}, {"frames", frames}};
+    add_clip(json, stage);
+    write_json(command.options.json, json);
     return k_done;
+}
+
+/// For CLI11: what is wrong with a number, if anything.
+std::string finite_number(const std::string& text) {
+    try {
+        if (std::isfinite(std::stod(text))) return {};
+    } catch (const std::exception&) {
+        // no number at all
+    }
+    return fmt::format("found '{}', expected a finite number of seconds", text);
 }
 
 int run(ViewCommand& command) {
@@ -122,11 +171,13 @@ int run(ViewCommand& command) {
             fmt::format("--out is '{}', expected a name that ends in .png or .exr", command.out.string())};
     }
     assets::Scene scene = assets::import_gltf(command.file);
-    const assets::Bounds box = scene_bounds(scene);
     const assets::Environment light = viewing_light(scene);
-    const systems::Eye eye = first_eye(command, scene, box);
-    const render::Settings settings = settings_for(command, eye, box);
     Stage stage = make_stage(std::move(scene), light, command.options.origin);
+    const std::optional<std::uint32_t> clip = chosen_clip(command, stage, windowed);
+    const assets::Bounds box = clip_bounds(stage, clip);
+    if (clip) show_clip(stage, *clip, command.clip_time_s);
+    const systems::Eye eye = first_eye(command, *stage.scene, box);
+    const render::Settings settings = settings_for(command, eye, box);
     return windowed ? show_window(command, stage, eye, box, settings)
                     : draw_picture(command, stage, eye, settings);
 }
@@ -143,7 +194,10 @@ Command add_view(CLI::App& program) {
         "soft sky; a file without lights stands in the noon sun.\n"
         "Opens a window where there is a display, unless --headless or --out is given. In the window the "
         "left button\n"
-        "turns around the model, the wheel comes nearer; F1 shows the keys.\n");
+        "turns around the model, the wheel comes nearer; F1 shows the keys. The first clip plays there, or "
+        "that "
+        "of --clip;\n"
+        "a picture shows the file's own pose unless --clip or --clip-time is given.\n");
     line->add_option("file", command->file, "File to show")->type_name("FILE.glb|FILE.gltf")->required();
     CLI::Option* const out =
         line->add_option("-o,--out", command->out,
@@ -154,6 +208,15 @@ Command add_view(CLI::App& program) {
     line->add_option("--camera", command->camera, "Looks through the file's camera number N, from 0")
         ->type_name("N")
         ->transform(whole_number(0, std::numeric_limits<std::uint32_t>::max()));
+    command->clip_given =
+        line->add_option("--clip", command->clip,
+                         "Shows the clip of that name, or of that number, from 0 (rambla inspect lists them)")
+            ->type_name("NAME");
+    command->clip_time_given =
+        line->add_option("--clip-time", command->clip_time_s,
+                         "Shows the clip (default: the first) at that time; beyond its ends it starts over")
+            ->type_name("S")
+            ->check(CLI::Validator{finite_number, "", "a finite number"});
     line->add_option("--frames", command->frames, "Window only: closes it after so many pictures")
         ->type_name("N")
         ->transform(whole_number())

@@ -6,8 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "ecs/query.h"
-#include "systems/look/culling.h"
+#include "support/deformed_vertices.h"
 #include "systems/pipeline.h"
 #include "systems/position.h"
 #include "systems/simulate/animation.h"
@@ -73,34 +72,11 @@ assets::Scene random_creature(std::mt19937& engine, float scale_least) {
     return scene;
 }
 
-/// How far vertices lie outside the box that is culled, at most; negative: inside. Vertices are moved in
-/// double precision by what the Frame holds.
+/// As test::farthest_outside; infinite if the creature is not drawn.
 double farthest_outside(ecs::World& world, const assets::Scene& scene, const Eye& eye, float interpolation) {
-    Frame frame;
-    build_frame(world, eye, interpolation, frame);
-    const Culling& culling = world.resource<Culling>();
-    const BoxColumns boxes = culling.boxes();
-    if (boxes.size() != 1 || frame.instances.size() != 1) return std::numeric_limits<double>::infinity();
-    const glm::dvec3 centre{boxes.centre_x[0], boxes.centre_y[0], boxes.centre_z[0]};
-    const glm::dvec3 half{boxes.half_x[0], boxes.half_y[0], boxes.half_z[0]};
-    const assets::Mesh& mesh = scene.meshes[0];
-    double outside = -std::numeric_limits<double>::infinity();
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-        glm::dvec3 local{mesh.positions[v]};
-        for (std::size_t term = frame.instances[0].morphs; frame.morphs[term].weight != 0.0f; ++term)
-            local += static_cast<double>(frame.morphs[term].weight) * glm::dvec3{mesh.morphs[0].positions[v]};
-        glm::dvec3 placed{0.0};
-        for (int i = 0; i < 4; ++i) {
-            const JointMatrix& m = frame.joints[frame.instances[0].joints + mesh.joints[v][i]];
-            const glm::dvec4 p{local, 1.0};
-            placed += static_cast<double>(mesh.weights[v][i]) * glm::dvec3{glm::dot(glm::dvec4{m.row0}, p),
-                                                                           glm::dot(glm::dvec4{m.row1}, p),
-                                                                           glm::dot(glm::dvec4{m.row2}, p)};
-        }
-        const glm::dvec3 beyond = glm::abs(placed - centre) - half;
-        outside = std::max({outside, beyond.x, beyond.y, beyond.z});
-    }
-    return outside;
+    const test::Outside found = test::farthest_outside(world, scene, eye, interpolation);
+    return found.vertices == scene.meshes[0].positions.size() ? found.distance_m
+                                                              : std::numeric_limits<double>::infinity();
 }
 
 TEST(DeformationStability, NoVertexLeavesItsBoundsInAnyPose) {

@@ -11,6 +11,7 @@
 
 #include "system/pictures.h"
 #include "system/program.h"
+#include "system/sample_clips.h"
 
 namespace rambla::system_test {
 namespace {
@@ -181,6 +182,18 @@ TEST_F(Window, AModelIsShownAndEscapeQuits) {
     start({"view", "city.glb", "--size", "160x90"});
     EXPECT_GT(mean_byte(screenshot()), 20.0);
     EXPECT_EQ(quit().exit_code, 0);
+}
+
+TEST_F(Window, ClipsPlayAndKeysChooseAmongThem) {
+    write_clips(folder / "clips.glb");
+    start({"view", "clips.glb", "--size", "160x90", "--json", "view.json"});
+    const assets::Image before = screenshot();
+    EXPECT_TRUE(eventually([&] { return mean_difference(before, screenshot()) > 1.0; })) << "the first clip";
+    static_cast<void>(xdotool({"key", "c"}));
+    EXPECT_EQ(quit().exit_code, 0);
+    const nlohmann::json json = nlohmann::json::parse(file_text(folder / "view.json"));
+    EXPECT_EQ(json["clip"], "spin");
+    EXPECT_EQ(json["clips"], 2);
 }
 
 }  // namespace

@@ -92,22 +92,6 @@ TEST(Framing, APointOrNothingIsFramedToo) {
     }
 }
 
-TEST(Framing, BoundsFollowTheNodesTransforms) {
-    assets::Transform place;
-    place.translation_m = {5.0f, 0.0f, 0.0f};
-    place.scale = {2.0f, 1.0f, 1.0f};
-    const assets::Bounds box = scene_bounds(scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, place));
-    EXPECT_EQ(box.min, (glm::vec3{3.0f, -1.0f, -1.0f}));
-    EXPECT_EQ(box.max, (glm::vec3{7.0f, 1.0f, 1.0f}));
-}
-
-TEST(Framing, PrototypesThatNoRootShowsDoNotCount) {
-    assets::Scene scene = scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {});
-    scene.nodes.push_back(scene.nodes[0]);
-    scene.nodes[1].local.translation_m = {100.0f, 0.0f, 0.0f};
-    EXPECT_EQ(scene_bounds(scene).max, glm::vec3{1.0f});
-}
-
 TEST(SceneCamera, StandsAndLooksAsItsNodeDoes) {
     assets::Scene scene = scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {});
     scene.cameras.push_back({.name = "a", .vertical_fov_rad = 0.5f, .near_m = 0.25f});

@@ -1,0 +1,52 @@
+#include "system/sample_clips.h"
+
+#include "assets/export/gltf.h"
+#include "assets/scene.h"
+
+namespace rambla::system_test {
+
+void write_clips(const std::filesystem::path& file) {
+    using assets::AnimatedPath;
+    using assets::Interpolation;
+    assets::Scene scene;
+    assets::Mesh& mesh = scene.meshes.emplace_back();
+    mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    mesh.normals.assign(4, {0, 0, 1});
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    for (const glm::vec3& position : mesh.positions)
+        mesh.bounds.expand(position);
+    for (const float brightness : {0.05f, 0.9f}) {
+        assets::Material& material = scene.materials.emplace_back();
+        material.base_colour = {brightness, brightness, brightness, 1.0f};
+        material.double_sided = true;
+        material.unlit = true;
+        const auto index = static_cast<std::uint32_t>(scene.models.size());
+        assets::Model& model = scene.models.emplace_back();
+        model.parts.push_back({0, index});
+        scene.nodes.emplace_back().model = index;
+        scene.roots.push_back(index);
+    }
+    scene.nodes[0].local.scale = {4, 4, 1};
+    scene.nodes[1].local.translation_m = {-2, 0, 0.5f};
+    assets::Clip& slide = scene.clips.emplace_back();
+    slide.name = "slide";
+    slide.duration_s = 2.0f;
+    slide.channels.push_back({1,
+                              AnimatedPath::translation,
+                              Interpolation::linear,
+                              3,
+                              {0, 1, 2},
+                              {-2, 0, 0.5f, 2, 0, 0.5f, -2, 0, 0.5f}});
+    assets::Clip& spin = scene.clips.emplace_back();
+    spin.name = "spin";
+    spin.duration_s = 2.0f;
+    spin.channels.push_back({1,
+                             AnimatedPath::rotation,
+                             Interpolation::linear,
+                             4,
+                             {0, 1, 2},
+                             {0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, -1}});
+    assets::export_gltf(file, scene);
+}
+
+}  // namespace rambla::system_test
