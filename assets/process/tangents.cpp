@@ -7,6 +7,7 @@
 
 #include "assets/assert.h"
 #include "assets/mesh_columns.h"
+#include "assets/process/columns.h"
 
 namespace rambla::assets {
 
@@ -14,20 +15,15 @@ namespace {
 
 constexpr glm::vec3 k_up{0.0f, 1.0f, 0.0f};
 
-/// Unit vector along v, or `fallback` where v has no direction.
-glm::vec3 direction_or(glm::vec3 v, glm::vec3 fallback) {
-    const float length = glm::length(v);
-    return length > 1e-20f && std::isfinite(length) ? v / length : fallback;
+/// Unit vector along v, or `fallback` where v has no direction. In double, where squares of the smallest and
+/// of the largest floats neither vanish nor overflow.
+glm::vec3 direction_or(glm::dvec3 v, glm::vec3 fallback) {
+    const double length = glm::length(v);
+    return length > 0.0 && std::isfinite(length) ? glm::vec3{v / length} : fallback;
 }
 
-template <class T>
-std::vector<T> gathered(const std::vector<T>& column, const std::vector<std::uint32_t>& indices) {
-    std::vector<T> out;
-    if (column.empty()) return out;
-    out.reserve(indices.size());
-    for (const std::uint32_t index : indices)
-        out.push_back(column[index]);
-    return out;
+glm::dvec3 edge(glm::vec3 from, glm::vec3 to) {
+    return glm::dvec3{to} - glm::dvec3{from};
 }
 
 /// Gives every index a vertex of its own.
@@ -51,7 +47,7 @@ std::vector<glm::vec3> flat_normals(const std::vector<glm::vec3>& positions) {
     std::vector<glm::vec3> normals(positions.size());
     for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
         const glm::vec3* const p = &positions[i];
-        std::fill_n(&normals[i], 3, direction_or(glm::cross(p[1] - p[0], p[2] - p[0]), k_up));
+        std::fill_n(&normals[i], 3, direction_or(glm::cross(edge(p[0], p[1]), edge(p[0], p[2])), k_up));
     }
     return normals;
 }
@@ -71,12 +67,20 @@ Chart chart_of(const std::array<glm::vec3, 3>& p, const std::array<glm::vec2, 3>
     // In double: charts of one texel in a large atlas would cancel in float.
     const double det = double{d1.x} * double{d2.y} - double{d2.x} * double{d1.y};
     if (det == 0.0 || !std::isfinite(det)) return {};
-    const float sign = det > 0.0 ? 1.0f : -1.0f;
-    const glm::vec3 along_u = sign * ((p[1] - p[0]) * d2.y - (p[2] - p[0]) * d1.y);
+    const double sign = det > 0.0 ? 1.0 : -1.0;
+    const glm::dvec3 along_u = sign * (edge(p[0], p[1]) * double{d2.y} - edge(p[0], p[2]) * double{d1.y});
     return {direction_or(along_u, glm::vec3{0.0f}), det > 0.0};
 }
 
-float angle_between(glm::vec3 a, glm::vec3 b) {
+/// Part of v that is perpendicular to a unit vector.
+glm::dvec3 across(glm::dvec3 v, glm::dvec3 normal) {
+    return v - normal * glm::dot(normal, v);
+}
+
+/// Angle of a triangle at its first corner, seen along that corner's normal.
+double angle_at(glm::vec3 corner, glm::vec3 one, glm::vec3 other, glm::vec3 normal) {
+    const glm::dvec3 a = across(edge(corner, one), normal);
+    const glm::dvec3 b = across(edge(corner, other), normal);
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
@@ -87,7 +91,8 @@ std::array<typename Column::value_type, 3> corners(const Column& column, const s
 
 enum class Handedness : std::uint8_t { unknown, plain, mirrored };
 
-/// Gives every vertex faces of one handedness only. Faces without a chart join whatever their vertices have.
+/// Gives every vertex faces of one handedness only. Faces without a chart join whatever their vertices have;
+/// vertices of no other faces count as plain.
 std::vector<Handedness> split_mirrored_vertices(Mesh& mesh, const std::vector<Chart>& charts) {
     std::vector<Handedness> handedness(mesh.positions.size(), Handedness::unknown);
     std::vector<std::uint32_t> twin(mesh.positions.size(), 0xffffffffu);
@@ -105,7 +110,18 @@ std::vector<Handedness> split_mirrored_vertices(Mesh& mesh, const std::vector<Ch
         }
         mesh.indices[i] = twin[vertex];
     }
+    std::replace(handedness.begin(), handedness.end(), Handedness::unknown, Handedness::plain);
     return handedness;
+}
+
+/// Vertices that are one to whoever looks at position, normal, texture coordinates and handedness share a
+/// tangent, whether the file gave them one index or several.
+std::vector<std::uint32_t> sharing_tangents(const Mesh& mesh, const std::vector<glm::vec2>& uv,
+                                            const std::vector<Handedness>& handedness) {
+    const std::vector<glm::vec3> places = without_negative_zero(mesh.positions);
+    std::vector<ColumnBytes> columns{bytes_of(places), bytes_of(mesh.normals), bytes_of(handedness)};
+    if (!uv.empty()) columns.push_back(bytes_of(uv));
+    return first_identical(columns, places.size());
 }
 
 }  // namespace
@@ -120,11 +136,11 @@ glm::vec3 any_perpendicular(glm::vec3 normal) {
 
 void compute_normals(Mesh& mesh) {
     RAMBLA_ASSERT(mesh.topology == Topology::triangles, "only triangles have normals");
-    std::vector<glm::vec3> sums(mesh.positions.size(), glm::vec3{0.0f});
+    std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3{0.0});
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const auto p = corners(mesh.positions, &mesh.indices[i]);
         // Twice the area long: the weight comes for free.
-        const glm::vec3 weighted = glm::cross(p[1] - p[0], p[2] - p[0]);
+        const glm::dvec3 weighted = glm::cross(edge(p[0], p[1]), edge(p[0], p[2]));
         for (std::size_t c = 0; c < 3; ++c)
             sums[mesh.indices[i + c]] += weighted;
     }
@@ -166,23 +182,26 @@ void compute_tangents(Mesh& mesh, std::uint32_t uv_set) {
                 chart_of(corners(mesh.positions, &mesh.indices[3 * t]), corners(uv, &mesh.indices[3 * t]));
     const std::vector<Handedness> handedness = split_mirrored_vertices(mesh, charts);
 
-    std::vector<glm::vec3> sums(mesh.positions.size(), glm::vec3{0.0f});
+    const std::vector<std::uint32_t> sharing = sharing_tangents(mesh, uv, handedness);
+
+    std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3{0.0});
     for (std::size_t t = 0; t < charts.size(); ++t) {
+        if (charts[t].tangent == glm::vec3{0.0f}) continue;
         const auto p = corners(mesh.positions, &mesh.indices[3 * t]);
         for (std::size_t c = 0; c < 3; ++c) {
             const std::uint32_t vertex = mesh.indices[3 * t + c];
             const glm::vec3 normal = mesh.normals[vertex];
-            const float angle = angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]);
-            const glm::vec3 in_plane = charts[t].tangent - normal * glm::dot(normal, charts[t].tangent);
-            sums[vertex] += angle * direction_or(in_plane, glm::vec3{0.0f});
+            const glm::vec3 in_plane = direction_or(across(charts[t].tangent, normal), glm::vec3{0.0f});
+            sums[sharing[vertex]] +=
+                angle_at(p[c], p[(c + 1) % 3], p[(c + 2) % 3], normal) * glm::dvec3{in_plane};
         }
     }
     mesh.tangents.resize(mesh.positions.size());
     for (std::size_t v = 0; v < sums.size(); ++v) {
         const glm::vec3 normal = mesh.normals[v];
         const glm::vec3 perpendicular = any_perpendicular(normal);
-        const glm::vec3 sum = direction_or(sums[v], perpendicular);
-        const glm::vec3 tangent = direction_or(sum - normal * glm::dot(normal, sum), perpendicular);
+        const glm::vec3 sum = direction_or(sums[sharing[v]], perpendicular);
+        const glm::vec3 tangent = direction_or(across(sum, normal), perpendicular);
         mesh.tangents[v] = {tangent, handedness[v] == Handedness::mirrored ? -1.0f : 1.0f};
     }
 }

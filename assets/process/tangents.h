@@ -15,10 +15,13 @@ void compute_normals(Mesh& mesh);
 /// their positions at weight 1 do to these normals.
 void compute_flat_normals(Mesh& mesh);
 
-/// Fills `tangents` from texture coordinates by Gram–Schmidt; where they are degenerate or absent, any unit
-/// vector perpendicular to the normal. Conventions of MikkTSpace: faces weigh by their angle at the vertex,
-/// and w · (normal × tangent) points along decreasing v of the image (v grows downwards), as glTF has it. A
-/// vertex that faces with mirrored and unmirrored coordinates share is split in two, the new one appended.
+/// Fills `tangents` from texture coordinates by Gram–Schmidt (Fahlén 2005, eq. 6.2–6.5); where they are
+/// degenerate or absent, any unit vector perpendicular to the normal. Conventions of MikkTSpace (Mikkelsen
+/// 2008): faces weigh by their angle at the vertex, seen along its normal; vertices of equal position,
+/// normal, texture coordinates and handedness share a tangent, whatever their indices; and w · (normal ×
+/// tangent) points along decreasing v of the image (v grows downwards), as glTF has it. Other than there,
+/// such vertices share it even where no edge joins their faces. A vertex that faces with mirrored and
+/// unmirrored coordinates share is split in two in all columns, the new one appended.
 /// @param mesh    triangles with normals
 /// @param uv_set  0 or 1
 void compute_tangents(Mesh& mesh, std::uint32_t uv_set = 0);

@@ -4,6 +4,10 @@
 
 #include <random>
 
+#include "assets/mesh_columns.h"
+#include "assets/process/columns.h"
+#include "unit/assets/process_support.h"
+
 namespace rambla::assets::test {
 namespace {
 
@@ -62,6 +66,61 @@ TEST(Tangents, VertexSharedByMirroredHalvesIsSplit) {
         EXPECT_EQ(mesh.tangents[mesh.indices[i]], glm::vec4(-1, 0, 0, -1));
     for (std::size_t i = 6; i < 12; ++i)
         EXPECT_GE(mesh.positions[mesh.indices[i]].x, 1.0f);
+}
+
+TEST(Tangents, SplittingMovesAllColumns) {
+    std::mt19937 random{12};
+    Mesh mesh = random_full_mesh(random, 30, 40);
+    const Mesh before = mesh;
+    compute_tangents(mesh);
+    ASSERT_GT(mesh.positions.size(), before.positions.size());
+    for (MorphTarget& morph : mesh.morphs)
+        ASSERT_EQ(morph.normals.size(), mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const std::uint32_t now = mesh.indices[i];
+        const std::uint32_t then = before.indices[i];
+        EXPECT_EQ(mesh.uv1[now], before.uv1[then]);
+        EXPECT_EQ(mesh.joints[now], before.joints[then]);
+        EXPECT_EQ(mesh.weights[now], before.weights[then]);
+        for (std::size_t m = 0; m < mesh.morphs.size(); ++m) {
+            EXPECT_EQ(mesh.morphs[m].positions[now], before.morphs[m].positions[then]);
+            EXPECT_EQ(mesh.morphs[m].normals[now], before.morphs[m].normals[then]);
+        }
+    }
+}
+
+TEST(Tangents, DoNotDependOnWhetherVerticesAreShared) {
+    // A bent strip whose picture is sheared differently on its two sides.
+    Mesh shared;
+    shared.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5f}, {0, 1, 0}, {2, 0.2f, 0}};
+    shared.uv0 = {{0, 1}, {1, 1}, {1.3f, 0}, {0, 0}, {2, 0.6f}};
+    shared.indices = {0, 1, 2, 0, 2, 3, 1, 4, 2};
+    compute_normals(shared);
+    Mesh apart = shared;
+    for_each_column(apart, [&](auto& column) { column = gathered(column, shared.indices); });
+    for (std::uint32_t i = 0; i < 9; ++i)
+        apart.indices[i] = i;
+    compute_tangents(shared);
+    compute_tangents(apart);
+    for (std::size_t i = 0; i < 9; ++i)
+        EXPECT_NEAR(glm::distance(apart.tangents[i], shared.tangents[shared.indices[i]]), 0.0f, k_rounding);
+}
+
+TEST(Tangents, FacesWeighByTheirAngleSeenAlongTheNormal) {
+    // Two steep faces at the origin, whose normal is +Z: each has one edge along +Y and one that rises or
+    // falls.
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, -1, 30}, {0, 1, 0}, {-1, -2, 20}};
+    mesh.normals.assign(4, {0, 0, 1});
+    mesh.uv0 = {{0, 0}, {1, 0}, {0, -1}, {-1, 2}};
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    compute_tangents(mesh);
+    // With p = u · T + v · B: the first one's T is its rising edge, seen from above 135° from +Y. The second
+    // one's B is −Y and (−1, −2, 20) = −T + 2B, so T = (1, 0, −20); its edges are seen 180° − atan(1/2)
+    // apart.
+    const glm::vec3 first = glm::radians(135.0f) * glm::normalize(glm::vec3{1, -1, 0});
+    const glm::vec3 second = (glm::radians(180.0f) - std::atan(0.5f)) * glm::vec3{1, 0, 0};
+    EXPECT_NEAR(glm::distance(glm::vec3{mesh.tangents[0]}, glm::normalize(first + second)), 0.0f, k_rounding);
 }
 
 TEST(Tangents, DegenerateCoordinatesStillGiveAFrame) {
@@ -141,6 +200,18 @@ TEST(Normals, FlatOnesSplitEveryTriangle) {
     EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
     const glm::vec3 expected = glm::normalize(glm::cross(glm::vec3{1, 1, 0}, glm::vec3{0, 0, -1}));
     EXPECT_NEAR(glm::distance(mesh.normals[5], expected), 0.0f, k_rounding);
+}
+
+TEST(Normals, FlatOnesSplitAllColumns) {
+    std::mt19937 random{13};
+    Mesh mesh = random_full_mesh(random, 10, 20);
+    const Mesh before = mesh;
+    compute_flat_normals(mesh);
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        EXPECT_EQ(mesh.joints[i], before.joints[before.indices[i]]);
+        EXPECT_EQ(mesh.morphs[1].positions[i], before.morphs[1].positions[before.indices[i]]);
+    }
+    EXPECT_TRUE(mesh.tangents.empty());
 }
 
 TEST(Normals, PerpendicularIsPerpendicularEverywhere) {
