@@ -34,6 +34,7 @@ const std::map<std::string, std::vector<std::string>> k_library_homes{
     {"tiny_gltf.h", {"assets/import/", "assets/export/"}},
     {"OpenImageIO/", {"assets/import/", "assets/export/"}},
     {"meshoptimizer.h", {"assets/process/"}},
+    {"squish.h", {"assets/process/"}},
     {"xxhash.h", {"assets/cache/"}},
     {"embree", {"assets/trace/"}},
     {"epoxy/", {"render/", "game/"}},
@@ -132,6 +133,9 @@ TEST(IncludeWalls, TheCheckSeesEachKindOfCrossing) {
     EXPECT_EQ(crossings("systems/frame.h", "# include <epoxy/gl.h>\n").size(), 1u);
     EXPECT_EQ(crossings("render/renderer.cpp", "#include \"../systems/spawn.h\"\n").size(), 1u);
     EXPECT_EQ(crossings("game/app.cpp", "#include <tiny_gltf.h>\n").size(), 1u);
+    EXPECT_EQ(crossings("assets/import/gltf_mesh.cpp", "#include <meshoptimizer.h>\n").size(), 1u);
+    EXPECT_EQ(crossings("assets/cache/cache.cpp", "#include <squish.h>\n").size(), 1u);
+    EXPECT_EQ(crossings("assets/process/compress.cpp", "#include <squish.h>\n").size(), 0u);
     EXPECT_EQ(crossings("systems/spawn.cpp", "#include \"assets/import/gltf.h\"\n").size(), 1u);
     EXPECT_EQ(
         crossings("render/renderer.cpp", "#include \"systems/frame.h\"\n#include <epoxy/gl.h>\n").size(), 0u);
