@@ -116,6 +116,18 @@ TEST(GltfLevels, LoopsOfLevelsAreRefused) {
                 HasSubstr("nodes[0].extensions.MSFT_lod.ids[0]: node 7"));
 }
 
+TEST(GltfLevels, ManyLevelsCostTheirOwnTimeOnly) {
+    // Looking each of them up in a list of all of them would take minutes.
+    std::string ids;
+    std::string nodes;
+    for (int i = 1; i <= 100'000; ++i) {
+        ids.append(i > 1 ? "," : "").append(std::to_string(i));
+        nodes.append(",{}");
+    }
+    EXPECT_EQ(Draft{}.load(R"(,"nodes":[{)" + levels(ids) + "}" + nodes + "]").nodes[0].coarser.size(),
+              100'000u);
+}
+
 TEST(GltfLevels, NodesOfTheSceneAndSharedOnesAreNoLevels) {
     for (const std::string& nodes :
          {"{" + levels("0") + "}", "{" + levels("1,1") + "},{}",

@@ -102,6 +102,23 @@ TEST(GltfMorphs, WrongNumbersOfWeightsAreFilledUp) {
     EXPECT_EQ(log.lines(), 2);
 }
 
+TEST(GltfMorphs, SparseIndicesBehindTheLastVertexAreRefused) {
+    Draft draft = corners_with_normals();
+    draft.add<std::uint8_t>({3}, "SCALAR");
+    draft.add<float>({7, 8, 9}, "VEC3");
+    const auto error = [&](const std::string& sparse) {
+        Draft broken = draft;
+        broken.add_text(R"({"componentType":5126,"count":3,"type":"VEC3","sparse":{)" + sparse + "}}");
+        return broken.error(morphing(R"(,"NORMAL":1)", R"({"POSITION":4})"));
+    };
+    const std::string indices =
+        R"("indices":{"bufferView":2,"componentType":5121},"values":{"bufferView":3})";
+    EXPECT_THAT(error(R"("count":1,)" + indices), HasSubstr("sparse index 3, expected below 3"));
+    EXPECT_THAT(error(R"("count":2,)" + indices), HasSubstr("accessors[4].sparse.indices: 2 elements"));
+    EXPECT_THAT(error(R"("count":-1,)" + indices), HasSubstr("accessors[4].sparse.count: -1"));
+    EXPECT_THAT(error(R"("count":4,)" + indices), HasSubstr("accessors[4].sparse.count: 4"));
+}
+
 TEST(GltfMorphs, TargetsOfOtherLengthsAndNumbersAreRefused) {
     Draft draft = corners_with_normals();
     draft.add<float>({0, 0, 1}, "VEC3");

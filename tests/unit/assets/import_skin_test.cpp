@@ -156,6 +156,23 @@ TEST(GltfSkins, MissingBindMatricesAreIdentityAndBrokenOnesAreMended) {
                 HasSubstr("skins[0].inverseBindMatrices: accessor 99"));
 }
 
+TEST(GltfSkins, BindMatricesOutsideTheirBufferAreRefused) {
+    Draft draft = corners_with_normals();
+    draft.add(k_first_joints, "VEC4");
+    draft.add(k_rigid, "VEC4");
+    const auto error = [&](const std::string& accessor) {
+        Draft broken = draft;
+        broken.add_text(R"({"bufferView":0,"componentType":5126,"type":"MAT4",)" + accessor + "}");
+        return broken.error(skinned(k_four, 1, R"(,"inverseBindMatrices":4)"));
+    };
+    EXPECT_THAT(error(R"("count":1)"), HasSubstr("accessors[4]: 1 elements from byte 0"));
+    EXPECT_THAT(error(R"("count":1,"byteOffset":18446744073709551615)"),
+                HasSubstr("accessors[4].byteOffset"));
+    // 64 · 2⁵⁸ is 0 in 64 bits.
+    EXPECT_THAT(error(R"("count":288230376151711744)"), HasSubstr("accessors[4].count"));
+    EXPECT_THAT(error(R"("count":100000000)"), HasSubstr("accessors[4]: 100000000 elements"));
+}
+
 TEST(GltfSkins, MissingNormalsSplitJointsAndWeightsToo) {
     Draft draft;
     draft.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3");
