@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <limits>
+#include <type_traits>
 
 namespace rambla::assets::gltf {
 
@@ -56,9 +58,15 @@ float to_float(T value, bool normalised) {
 template <class Use>
 void with_component(int type, bool normalised, const Use& use) {
     const auto of = [&]<class T>(T) {
-        use([normalised](const unsigned char* element, int c) {
-            return to_float(load<T>(element + sizeof(T) * static_cast<std::size_t>(c)), normalised);
-        });
+        const auto read_as = [&](auto is_normalised) {
+            use([is_normalised](const unsigned char* element, int c) {
+                return to_float(load<T>(element + sizeof(T) * static_cast<std::size_t>(c)), is_normalised());
+            });
+        };
+        if (normalised)
+            read_as(std::true_type{});
+        else
+            read_as(std::false_type{});
     };
     switch (type) {
         case TINYGLTF_COMPONENT_TYPE_BYTE:
@@ -76,6 +84,40 @@ void with_component(int type, bool normalised, const Use& use) {
                 return load<float>(element + sizeof(float) * static_cast<std::size_t>(c));
             });
     }
+}
+
+/// An iterator over values that are computed from their index, so that a vector is filled in one pass,
+/// without writing zeros first.
+template <class Compute>
+class ComputedIterator {
+public:
+    using iterator_category = std::random_access_iterator_tag;
+    using value_type = std::remove_cvref_t<std::invoke_result_t<const Compute&, std::uint64_t>>;
+    using difference_type = std::ptrdiff_t;
+    using pointer = void;
+    using reference = value_type;
+
+    ComputedIterator(const Compute& compute, std::uint64_t index) : compute_{compute}, index_{index} {}
+    value_type operator*() const { return compute_(index_); }
+    ComputedIterator& operator++() {
+        ++index_;
+        return *this;
+    }
+    difference_type operator-(const ComputedIterator& other) const {
+        return static_cast<difference_type>(index_ - other.index_);
+    }
+    bool operator==(const ComputedIterator& other) const { return index_ == other.index_; }
+
+private:
+    Compute compute_;
+    std::uint64_t index_;
+};
+
+/// compute(0), compute(1) ... compute(size − 1)
+template <class Compute>
+auto computed(std::uint64_t size, const Compute& compute) {
+    using Iterator = ComputedIterator<Compute>;
+    return std::vector<typename Iterator::value_type>(Iterator{compute, 0}, Iterator{compute, size});
 }
 
 bool is_index_type(int type) {
@@ -117,9 +159,9 @@ AccessorReader::AccessorReader(const Document& document, int accessor, std::stri
                           "an offset inside the buffer view");
         base_ = bytes_of_view(source.bufferView, static_cast<std::int64_t>(source.byteOffset), count_,
                               element_bytes, true, where);
-    } else if (count_ > document.elements_left) {
+    } else if (count_ > document.elements) {
         document.fail(where + ".count", std::to_string(count_) + " elements without a buffer view",
-                      "at most " + std::to_string(document.elements_left) + " for a file of this size");
+                      "at most " + std::to_string(document.elements) + " for a file of this size");
     }
     if (!source.sparse.isSparse) return;
 
@@ -193,19 +235,16 @@ std::vector<glm::vec<N, float>> AccessorReader::read(std::span<const std::uint32
     using Vector = glm::vec<N, float>;
     const std::uint64_t size = gather.empty() ? count_ : gather.size();
     const std::vector<std::uint32_t> replaced = sparse_indices();
-    std::vector<Vector> values(size, Vector{0.0f});
-    if (size == 0) return values;
-    const int present = std::min(N, components_);
-    with_component(component_type_, normalised_ || always_normalise, [&](auto read_component) {
-        const auto element = [&](const unsigned char* bytes) {
-            Vector value{missing};
-            for (int c = 0; c < present; ++c)
-                value[c] = read_component(bytes, c);
-            return value;
-        };
-        if (base_.first != nullptr)
-            for (std::uint64_t i = 0; i < size; ++i)
-                values[i] = element(base_.first + (gather.empty() ? i : gather[i]) * base_.stride);
+    std::vector<Vector> values;
+    const auto fill = [&](const auto& element) {
+        const Bytes base = base_;
+        if (base.first == nullptr)
+            values.assign(size, Vector{0.0f});
+        else if (gather.empty())
+            values = computed(size, [&](std::uint64_t i) { return element(base.first + i * base.stride); });
+        else
+            values = computed(size,
+                              [&](std::uint64_t i) { return element(base.first + gather[i] * base.stride); });
         for (std::uint64_t i = 0; i < sparse_count_; ++i) {
             // A gather is sorted and holds each element once.
             const auto found = std::lower_bound(gather.begin(), gather.end(), replaced[i]);
@@ -213,6 +252,36 @@ std::vector<glm::vec<N, float>> AccessorReader::read(std::span<const std::uint32
             const auto at = gather.empty() ? replaced[i] : static_cast<std::uint64_t>(found - gather.begin());
             if (kept) values[at] = element(sparse_values_.first + i * sparse_values_.stride);
         }
+    };
+    if (is_float() && components_ >= N) {
+        const auto element = [](const unsigned char* bytes) {
+            Vector value;
+            std::memcpy(&value[0], bytes, sizeof value);
+            return value;
+        };
+        const bool packed = base_.first != nullptr && base_.stride == sizeof(Vector);
+        if (!packed || !gather.empty() || sparse_count_ > 0)
+            fill(element);
+        else
+            values = computed(size, [element, first = base_.first](std::uint64_t i) {
+                return element(first + i * sizeof(Vector));
+            });
+        return values;
+    }
+    with_component(component_type_, normalised_ || always_normalise, [&](auto read_component) {
+        if (components_ >= N)
+            return fill([&](const unsigned char* bytes) {
+                Vector value;
+                for (int c = 0; c < N; ++c)
+                    value[c] = read_component(bytes, c);
+                return value;
+            });
+        fill([&](const unsigned char* bytes) {
+            Vector value{missing};
+            for (int c = 0; c < components_; ++c)
+                value[c] = read_component(bytes, c);
+            return value;
+        });
     });
     return values;
 }
@@ -225,13 +294,20 @@ std::vector<float> AccessorReader::read_floats(std::uint64_t elements, bool alwa
     const std::uint64_t size = std::min(elements, count_);
     const std::vector<std::uint32_t> replaced = sparse_indices();
     const auto width = static_cast<std::uint64_t>(components_);
-    std::vector<float> values(size * width, 0.0f);
+    std::vector<float> values;
     with_component(component_type_, normalised_ || always_normalise, [&](auto read_component) {
         const auto store = [&](std::uint64_t at, const unsigned char* bytes) {
             for (int c = 0; c < components_; ++c)
                 values[at * width + static_cast<std::uint64_t>(c)] = read_component(bytes, c);
         };
-        if (base_.first != nullptr)
+        const bool packed = base_.stride == component_bytes_ * width;
+        if (base_.first != nullptr && packed)
+            values = computed(size * width, [&, first = base_.first](std::uint64_t i) {
+                return read_component(first + i * component_bytes_, 0);
+            });
+        else
+            values.assign(size * width, 0.0f);
+        if (base_.first != nullptr && !packed)
             for (std::uint64_t i = 0; i < size; ++i)
                 store(i, base_.first + i * base_.stride);
         for (std::uint64_t i = 0; i < sparse_count_; ++i)
@@ -245,10 +321,26 @@ std::vector<std::uint32_t> AccessorReader::read_indices() const {
         document_.fail(element_,
                        std::to_string(components_) + " components of type " + std::to_string(component_type_),
                        std::string{"scalars of type "}.append(k_index_types));
-    std::vector<std::uint32_t> indices(count_, 0);
-    if (base_.first != nullptr)
-        for (std::uint64_t i = 0; i < count_; ++i)
-            indices[i] = load_index(base_.first + i * base_.stride, component_type_);
+    std::vector<std::uint32_t> indices;
+    const auto fill = [&]<class T>(T) {
+        const Bytes base = base_;
+        if (base.stride == sizeof(T))
+            indices = computed(count_, [first = base.first](std::uint64_t i) {
+                return static_cast<std::uint32_t>(load<T>(first + i * sizeof(T)));
+            });
+        else
+            indices = computed(count_, [&](std::uint64_t i) {
+                return static_cast<std::uint32_t>(load<T>(base.first + i * base.stride));
+            });
+    };
+    if (base_.first == nullptr)
+        indices.assign(count_, 0);
+    else if (component_type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE)
+        fill(std::uint8_t{});
+    else if (component_type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+        fill(std::uint16_t{});
+    else
+        fill(std::uint32_t{});
     const std::vector<std::uint32_t> replaced = sparse_indices();
     for (std::uint64_t i = 0; i < sparse_count_; ++i)
         indices[replaced[i]] = load_index(sparse_values_.first + i * sparse_values_.stride, component_type_);

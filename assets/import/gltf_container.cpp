@@ -69,12 +69,14 @@ Container split_glb(const std::string& file, std::span<const unsigned char> byte
     const Chunk json = chunk_at(file, glb, k_header_bytes, 0);
     if (json.type != k_json_chunk || json.data.empty())
         throw Error{file, "chunk[0]", json.data.empty() ? "an empty chunk" : "another chunk type", "JSON"};
-    Container container{.json = as_text(json.data), .binary = {}};
+    Container container{.json = as_text(json.data), .binary = {}, .plain_glb = {}};
     if (json.end < length) {
         // Only the second chunk may be the binary one; chunks of unknown types are skipped as the format
         // asks.
         const Chunk second = chunk_at(file, glb, json.end, 1);
         if (second.type == k_binary_chunk) container.binary = second.data;
+        const bool padded = json.end % 4 == 0 && second.end % 4 == 0;
+        if (!container.binary.empty() && second.end == length && padded) container.plain_glb = glb;
     }
     return container;
 }
@@ -92,7 +94,7 @@ Container split_container(const std::string& file, std::span<const unsigned char
     if (bytes.empty()) throw Error{file, "", "an empty file", "glTF 2.0"};
     if (bytes.size() >= 4 && word_at(bytes, 0) == k_magic) return split_glb(file, bytes);
     if (named_glb(file)) throw Error{file, "header.magic", "other bytes", "\"glTF\": this is not a GLB file"};
-    return {.json = as_text(bytes), .binary = {}};
+    return {.json = as_text(bytes), .binary = {}, .plain_glb = {}};
 }
 
 std::vector<unsigned char> join_container(std::string_view json, std::span<const unsigned char> binary) {

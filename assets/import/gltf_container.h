@@ -11,6 +11,8 @@ namespace rambla::assets::gltf {
 struct Container {
     std::string_view json;
     std::span<const unsigned char> binary;
+    std::span<const unsigned char>
+        plain_glb;  ///< the whole GLB, if it holds these two parts and nothing else
 };
 
 /// Finds the parts of a .gltf or .glb by its content and checks every length of the GLB header.

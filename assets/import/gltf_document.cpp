@@ -3,7 +3,10 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
+#include <optional>
+#include <span>
 
 #include "assets/error.h"
 #include "assets/import/gltf_container.h"
@@ -112,7 +115,8 @@ std::string first_line(const std::string& text) {
 }
 
 /// The parts joined anew, for files that are valid but that tinygltf refuses: with an empty binary chunk,
-/// with chunks of unknown type, or with buffers without data, which get zeros.
+/// with chunks of unknown type, or with buffers without data, which get zeros. Nothing, if the file will do
+/// as it is.
 std::vector<unsigned char> rejoined(const Document& document, const Container& parts,
                                     const Preflight& claims) {
     std::uint64_t longest = parts.binary.size();
@@ -128,6 +132,8 @@ std::vector<unsigned char> rejoined(const Document& document, const Container& p
                           "a URI or a binary chunk");
         longest = std::max(longest, claim.byte_length);
     }
+    const bool is_complete = longest == parts.binary.size();
+    if (is_complete && !parts.plain_glb.empty()) return {};
     std::vector<unsigned char> binary(parts.binary.begin(), parts.binary.end());
     binary.resize(longest);
     return join_container(parts.json, binary);
@@ -142,7 +148,8 @@ bool parse(tinygltf::TinyGLTF& parser, Document& document, const Container& part
     if (!without_data)
         return parser.LoadASCIIFromString(&document.model, &error, &ignored, parts.json.data(),
                                           static_cast<unsigned int>(parts.json.size()), "");
-    const std::vector<unsigned char> glb = rejoined(document, parts, claims);
+    const std::vector<unsigned char> joined = rejoined(document, parts, claims);
+    const std::span<const unsigned char> glb = joined.empty() ? parts.plain_glb : joined;
     const bool parsed = parser.LoadBinaryFromMemory(&document.model, &error, &ignored, glb.data(),
                                                     static_cast<unsigned int>(glb.size()), "");
     // Only the first buffer may live in the binary chunk; tinygltf gives it to all that have no data.
@@ -150,6 +157,15 @@ bool parse(tinygltf::TinyGLTF& parser, Document& document, const Container& part
         if (claims.buffers[i].source == BufferClaim::Source::none)
             std::fill(document.model.buffers[i].data.begin(), document.model.buffers[i].data.end(), 0);
     return parsed;
+}
+
+/// Where Document::warn puts its lines on this thread; null: it logs them.
+thread_local std::vector<std::string>* held_warnings = nullptr;
+
+/// The JSON part of a file, to write to.
+std::span<char> json_in(std::vector<unsigned char>& bytes, std::string_view json) {
+    char* const begin = reinterpret_cast<char*>(bytes.data());
+    return {begin + (json.data() - begin), json.size()};
 }
 
 void warn_of_extensions(const Document& document) {
@@ -168,14 +184,29 @@ void Document::fail(std::string_view element, std::string_view found, std::strin
 }
 
 void Document::warn(std::string_view element, std::string_view text) const {
-    spdlog::warn("{}: {}: {}", path.string(), element, text);
+    const std::string line = path.string().append(": ").append(element).append(": ").append(text);
+    if (held_warnings != nullptr)
+        held_warnings->push_back(line);
+    else
+        spdlog::warn("{}", line);
 }
 
-void Document::spend(std::string_view element, std::uint64_t elements) {
-    if (elements > elements_left)
-        fail(element, std::to_string(elements) + " more vertices or indices",
-             "at most " + std::to_string(elements_left) + " for a file of this size");
-    elements_left -= elements;
+WarningHold::WarningHold(std::vector<std::string>& lines) {
+    held_warnings = &lines;
+}
+
+WarningHold::~WarningHold() {
+    held_warnings = nullptr;
+}
+
+void Document::spend(std::string_view element, std::uint64_t wanted) {
+    const std::atomic_ref left{elements_left};
+    std::uint64_t before = left.load();
+    do {
+        if (wanted > before)
+            fail(element, std::to_string(wanted) + " more vertices or indices",
+                 "at most " + std::to_string(before) + " for a file of this size");
+    } while (!left.compare_exchange_weak(before, before - wanted));
 }
 
 std::uint32_t Document::checked(int index, std::size_t size, std::string_view element,
@@ -191,12 +222,16 @@ std::string element_name(std::string_view array, std::size_t index, std::string_
 }
 
 Document load_document(const std::filesystem::path& file, const ImportLimits& limits) {
-    Document document{.path = file, .limits = limits, .model = {}, .elements_left = 0};
-    const std::vector<unsigned char> bytes = read_file(file, limits.file_bytes);
+    Document document{.path = file, .limits = limits, .model = {}, .elements = 0, .elements_left = 0};
+    std::vector<unsigned char> bytes = read_file(file, limits.file_bytes);
     Container parts = split_container(file.string(), bytes);
     const Preflight claims = preflight(file.string(), parts.json, limits);
-    const std::string plain = claims.has_integral_floats ? with_plain_integers(parts.json) : std::string{};
-    if (!plain.empty()) parts.json = plain;
+    std::optional<std::string> plain;
+    if (claims.has_integral_floats) plain = write_plain_integers(json_in(bytes, parts.json));
+    if (plain) {
+        parts.json = *plain;
+        parts.plain_glb = {};
+    }
 
     FileServer files{document, claims, limits.file_bytes - bytes.size(), {}, nullptr};
     tinygltf::TinyGLTF parser;
@@ -221,8 +256,8 @@ Document load_document(const std::filesystem::path& file, const ImportLimits& li
             total += document.model.buffers[i].data.size();
     constexpr std::uint64_t k_elements_per_byte = 8;
     constexpr std::uint64_t k_elements_at_least = 1'000'000;
-    document.elements_left =
-        std::min(limits.vertices, std::max(k_elements_at_least, k_elements_per_byte * total));
+    document.elements = std::min(limits.vertices, std::max(k_elements_at_least, k_elements_per_byte * total));
+    document.elements_left = document.elements;
     warn_of_extensions(document);
     return document;
 }

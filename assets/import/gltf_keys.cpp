@@ -81,12 +81,13 @@ private:
     }
 
     void rebuild(const std::vector<std::size_t>& order) {
-        Channel mended = channel_;
-        mended.times_s.clear();
-        mended.values.clear();
+        std::vector<float> times_s;
+        std::vector<float> numbers;
+        times_s.reserve(order.size());
+        numbers.reserve(order.size() * floats_per_key_);
         const auto append = [&](std::size_t key, float at_s) {
-            mended.times_s.push_back(at_s);
-            mended.values.insert(mended.values.end(), values(key), values(key) + floats_per_key_);
+            times_s.push_back(at_s);
+            numbers.insert(numbers.end(), values(key), values(key) + floats_per_key_);
         };
         for (std::size_t first = 0; first < order.size();) {
             const float at_s = time(order[first]);
@@ -106,7 +107,8 @@ private:
             }
             first = next;
         }
-        channel_ = std::move(mended);
+        channel_.times_s = std::move(times_s);
+        channel_.values = std::move(numbers);
     }
 
     static constexpr float k_infinity = std::numeric_limits<float>::infinity();

@@ -1,9 +1,10 @@
 #include "assets/import/gltf_mesh.h"
 
+#include <spdlog/spdlog.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
+#include <exception>
 #include <map>
 #include <numeric>
 
@@ -11,6 +12,7 @@
 #include "assets/import/gltf_influence.h"
 #include "assets/import/gltf_morph.h"
 #include "assets/import/gltf_topology.h"
+#include "assets/import/gltf_unit.h"
 #include "assets/import/gltf_vertices.h"
 #include "assets/process/tangents.h"
 
@@ -143,24 +145,16 @@ private:
     void read_normals_and_tangents() {
         if (mesh_.topology != Topology::triangles || !has("NORMAL")) return;
         mesh_.normals = read<3>("NORMAL");
-        for (glm::vec3& normal : mesh_.normals)
-            normal = unit_or(normal, {0.0f, 1.0f, 0.0f});
+        std::vector<glm::vec3>& normals = mesh_.normals;
+        make_unit(std::span{normals}, [&](std::size_t i) { normals[i] = {0.0f, 1.0f, 0.0f}; });
         if (!has("TANGENT")) return;
         mesh_.tangents = read<4>("TANGENT", k_tangents);
-        for (std::size_t i = 0; i < mesh_.tangents.size(); ++i) {
-            glm::vec4& tangent = mesh_.tangents[i];
-            const glm::vec3 direction = unit_or(glm::vec3{tangent}, any_perpendicular(mesh_.normals[i]));
-            tangent = {direction, tangent.w < 0.0f ? -1.0f : 1.0f};
-        }
-    }
-
-    /// Vectors that are unit length to storage accuracy keep their bits.
-    static glm::vec3 unit_or(glm::vec3 v, glm::vec3 fallback) {
-        const float length_squared = glm::dot(v, v);
-        constexpr float k_storage_error = 1e-4f;
-        if (std::abs(length_squared - 1.0f) < k_storage_error) return v;
-        return length_squared > 1e-12f && std::isfinite(length_squared) ? v / std::sqrt(length_squared)
-                                                                        : fallback;
+        std::vector<glm::vec4>& tangents = mesh_.tangents;
+        make_unit(std::span{tangents}, [&](std::size_t i) {
+            tangents[i] = {any_perpendicular(normals[i]), tangents[i].w};
+        });
+        for (glm::vec4& tangent : tangents)
+            tangent.w = tangent.w < 0.0f ? -1.0f : 1.0f;
     }
 
     Document& document_;
@@ -171,6 +165,30 @@ private:
     Mesh mesh_;
 };
 
+/// A mesh of the scene to be: the primitive that it comes from, and what became of it.
+struct PlannedMesh {
+    const tinygltf::Mesh* source = nullptr;
+    std::size_t primitive = 0;
+    std::string element;
+    Mesh mesh;
+    std::vector<std::string> warnings;
+    std::exception_ptr failure;
+
+    void read(Document& document) {
+        const WarningHold hold{warnings};
+        try {
+            mesh = PrimitiveImport{document, source->primitives[primitive], element}.run();
+            mesh.name = source->name;
+            for (std::size_t t = 0; t < mesh.morphs.size(); ++t)
+                mesh.morphs[t].name = morph_name(*source, t);
+        } catch (const std::exception&) {
+            failure = std::current_exception();
+        }
+    }
+};
+
+/// Plans which meshes there are, reads them on all threads, and reports in the order of the document. Only
+/// which of them names a file that asks for too much is left to chance.
 class MeshesImport {
 public:
     MeshesImport(Document& document, Scene& scene) : document_{document}, scene_{scene} {}
@@ -178,6 +196,17 @@ public:
     std::vector<MissingColumns> run() {
         for (std::size_t m = 0; m < document_.model.meshes.size(); ++m)
             scene_.models.push_back(model(m));
+        tbb::parallel_for(std::size_t{0}, planned_.size(),
+                          [&](std::size_t i) { planned_[i].read(document_); });
+        for (PlannedMesh& planned : planned_) {
+            for (const std::string& warning : planned.warnings)
+                spdlog::warn("{}", warning);
+            if (planned.failure) std::rethrow_exception(planned.failure);
+            scene_.meshes.push_back(std::move(planned.mesh));
+        }
+        for (Model& made : scene_.models)
+            std::erase_if(made.parts,
+                          [&](const ModelPart& part) { return scene_.meshes[part.mesh].indices.empty(); });
         return std::move(missing_);
     }
 
@@ -205,22 +234,24 @@ private:
             material = document_.checked(primitive.material, scene_.materials.size(), element + ".material",
                                          "material");
         const int tangents_for = tangent_uv_set(primitive, scene_);
-        const auto [place, is_new] = known_.try_emplace(key_of(primitive, tangents_for),
-                                                        static_cast<std::uint32_t>(scene_.meshes.size()));
+        const auto [place, is_new] =
+            known_.try_emplace(key_of(primitive, tangents_for), static_cast<std::uint32_t>(planned_.size()));
         if (is_new) {
-            Mesh mesh = PrimitiveImport{document_, primitive, element}.run();
-            mesh.name = source.name;
-            for (std::size_t t = 0; t < mesh.morphs.size(); ++t)
-                mesh.morphs[t].name = morph_name(source, t);
-            scene_.meshes.push_back(std::move(mesh));
+            planned_.push_back({.source = &source,
+                                .primitive = index,
+                                .element = element,
+                                .mesh = {},
+                                .warnings = {},
+                                .failure = {}});
             missing_.push_back({tangents_for});
         }
-        if (!scene_.meshes[place->second].indices.empty()) made.parts.push_back({place->second, material});
+        made.parts.push_back({place->second, material});
     }
 
     Document& document_;
     Scene& scene_;
     std::map<GeometryKey, std::uint32_t> known_;
+    std::vector<PlannedMesh> planned_;
     std::vector<MissingColumns> missing_;
 };
 

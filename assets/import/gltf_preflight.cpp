@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "assets/error.h"
 #include "assets/import/gltf_files.h"
@@ -40,6 +39,26 @@ std::optional<std::int64_t> integral_float(std::string_view number) {
     if (value != std::floor(value) || std::abs(value) >= k_exact_integers) return std::nullopt;
     if (value == 0.0 && std::signbit(value)) return std::nullopt;
     return static_cast<std::int64_t>(value);
+}
+
+/// Calls use(begin, size, value) for each number outside strings that is an integer written as a float.
+template <class Use>
+void for_each_integral_float(std::string_view json, const Use& use) {
+    constexpr std::string_view k_number = "+-.0123456789eE";
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (c == '"') {
+            for (++i; i < json.size() && json[i] != '"'; ++i)
+                if (json[i] == '\\') ++i;
+        } else if (c == '-' || (c >= '0' && c <= '9')) {
+            std::size_t end = i + 1;
+            while (end < json.size() && k_number.find(json[end]) != std::string_view::npos)
+                ++end;
+            if (const std::optional<std::int64_t> value = integral_float(json.substr(i, end - i)))
+                use(i, end - i, *value);
+            i = end - 1;
+        }
+    }
 }
 
 /// nlohmann's reader calls this for every token; returning false ends the walk.
@@ -136,30 +155,22 @@ void check_version(const std::string& file, const Preflight& found) {
 
 }  // namespace
 
-std::string with_plain_integers(std::string_view json) {
-    constexpr std::string_view k_number = "+-.0123456789eE";
-    std::string out;
-    out.reserve(json.size());
-    for (std::size_t i = 0; i < json.size();) {
-        std::size_t end = i + 1;
-        if (json[i] == '"') {
-            while (end < json.size() && json[end] != '"')
-                end += json[end] == '\\' ? 2 : 1;
-            end = std::min(end + 1, json.size());
-            out.append(json.substr(i, end - i));
-        } else if (json[i] == '-' || (json[i] >= '0' && json[i] <= '9')) {
-            end = std::min(json.find_first_not_of(k_number, i), json.size());
-            const std::string_view number = json.substr(i, end - i);
-            if (const std::optional<std::int64_t> integer = integral_float(number))
-                out.append(std::to_string(*integer));
-            else
-                out.append(number);
-        } else {
-            out.push_back(json[i]);
+std::optional<std::string> write_plain_integers(std::span<char> json) {
+    std::string longer;  // empty until a number needs more room than it has
+    std::size_t copied = 0;
+    const std::string_view text{json.data(), json.size()};
+    for_each_integral_float(text, [&](std::size_t begin, std::size_t size, std::int64_t integer) {
+        std::string plain = std::to_string(integer);
+        if (plain.size() <= size) {
+            plain.resize(size, ' ');
+            std::copy(plain.begin(), plain.end(), json.begin() + static_cast<std::ptrdiff_t>(begin));
+            return;
         }
-        i = end;
-    }
-    return out;
+        longer.append(text.substr(copied, begin - copied)).append(plain);
+        copied = begin + size;
+    });
+    if (copied == 0) return std::nullopt;
+    return longer.append(text.substr(copied));
 }
 
 bool supports_extension(std::string_view name) {

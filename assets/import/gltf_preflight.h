@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,8 +36,9 @@ struct Preflight {
 /// supported
 [[nodiscard]] Preflight preflight(const std::string& file, std::string_view json, const ImportLimits& limits);
 
-/// The same JSON with "1.0" and "1e0" written as "1": glTF takes all for integers, tinygltf only the last.
-[[nodiscard]] std::string with_plain_integers(std::string_view json);
+/// Writes "1.0" and "1e0" as "1  ", in their place: glTF takes all for integers, tinygltf only the last.
+/// @return  the whole text, where a number such as "1e9" needs more room
+[[nodiscard]] std::optional<std::string> write_plain_integers(std::span<char> json);
 
 /// Whether files that use the extension look as they should.
 [[nodiscard]] bool supports_extension(std::string_view name);

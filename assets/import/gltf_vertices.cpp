@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 
 namespace rambla::assets::gltf {
 
@@ -14,21 +15,26 @@ std::uint32_t exponent_of(float value) {
 }
 
 /// @return  how many numbers were replaced
-template <int N>
-std::size_t make_finite(std::vector<glm::vec<N, float>>& values) {
+std::size_t make_finite(std::span<float> values) {
     std::uint32_t largest = 0;
-    for (const auto& value : values)
-        for (int c = 0; c < N; ++c)
-            largest = std::max(largest, exponent_of(value[c]));
+    for (const float value : values)
+        largest = std::max(largest, exponent_of(value));
     if (largest != k_exponent) return 0;
     std::size_t bad = 0;
-    for (auto& value : values)
-        for (int c = 0; c < N; ++c)
-            if (exponent_of(value[c]) == k_exponent) {
-                value[c] = 0.0f;
-                ++bad;
-            }
+    for (float& value : values)
+        if (exponent_of(value) == k_exponent) {
+            value = 0.0f;
+            ++bad;
+        }
     return bad;
+}
+
+/// The components of all vectors in a row.
+template <int N>
+std::span<float> numbers_of(std::vector<glm::vec<N, float>>& vectors) {
+    static_assert(sizeof(glm::vec<N, float>) == N * sizeof(float));
+    if (vectors.empty()) return {};
+    return {&vectors[0][0], N * vectors.size()};
 }
 
 }  // namespace
@@ -51,7 +57,7 @@ std::vector<glm::vec<N, float>> VertexReader::read(int accessor, const std::stri
                        std::to_string(vertices_) + ", as POSITION has");
     document_.spend(element, source.sparse_count());
     auto values = source.read<N>(kept_, form.missing, form.always_normalise);
-    if (const std::size_t bad = make_finite<N>(values); bad > 0)
+    if (const std::size_t bad = make_finite(numbers_of<N>(values)); bad > 0)
         document_.warn(element, std::to_string(bad) + " values were not finite and became 0");
     return values;
 }

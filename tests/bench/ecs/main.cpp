@@ -2,5 +2,6 @@
 #include "bench/harness/run.h"
 
 int main(int argc, char** argv) {
-    return rambla::bench::run("ecs", rambla::bench::k_ecs_targets, argc, argv);
+    return rambla::bench::run("Rambla ecs against bare arrays: medians, nanoseconds per entity",
+                              rambla::bench::k_ecs_targets, argc, argv);
 }

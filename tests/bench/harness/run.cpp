@@ -163,7 +163,7 @@ std::vector<Measurement> measure(const std::vector<Group>& groups) {
     return all;
 }
 
-int run_or_throw(std::string_view room, std::span<const Target> targets, std::span<char*> arguments) {
+int run_or_throw(std::string_view title, std::span<const Target> targets, std::span<char*> arguments) {
     const Options options = parse(arguments);
     configure(options, {"--benchmark_list_tests=true"});
     const std::vector<Group> found = groups(benchmark::GetBenchmarkFilter());
@@ -174,8 +174,7 @@ int run_or_throw(std::string_view room, std::span<const Target> targets, std::sp
     const std::vector<Measurement> measurements = measure(found);
     const std::vector<Row> rows = make_rows(measurements, targets);
     const Machine machine = this_machine(options.threads);
-    fmt::print("Rambla {} against bare arrays: medians, nanoseconds per entity\n{}", room,
-               to_text(rows, machine));
+    fmt::print("{}\n{}", title, to_text(rows, machine));
     if (!options.json.empty()) {
         std::ofstream file{options.json};
         file << to_json(rows, measurements, machine);
@@ -186,9 +185,9 @@ int run_or_throw(std::string_view room, std::span<const Target> targets, std::sp
 
 }  // namespace
 
-int run(std::string_view room, std::span<const Target> targets, int argc, char** argv) {
+int run(std::string_view title, std::span<const Target> targets, int argc, char** argv) {
     try {
-        return run_or_throw(room, targets, std::span{argv, static_cast<std::size_t>(argc)}.subspan(1));
+        return run_or_throw(title, targets, std::span{argv, static_cast<std::size_t>(argc)}.subspan(1));
     } catch (const std::exception& error) {
         fmt::print(stderr, "error: {}\n", error.what());
         return 2;

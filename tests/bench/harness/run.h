@@ -13,8 +13,8 @@ namespace rambla::bench {
 ///     --json FILE   writes the results there too
 ///     --threads N   threads that oneTBB may use; default: the machine's cores
 ///     further arguments go to Google Benchmark: --benchmark_filter=create
-/// @param room  what is measured, for the title
-/// @return      the process's exit code
-int run(std::string_view room, std::span<const Target> targets, int argc, char** argv);
+/// @param title  what is measured, and per what
+/// @return       the process's exit code
+int run(std::string_view title, std::span<const Target> targets, int argc, char** argv);
 
 }  // namespace rambla::bench

@@ -42,6 +42,8 @@ std::string unit_of(const Target& target) {
             return "ns";
         case Measure::speed_up:
             return "x faster";
+        case Measure::share:
+            return "share";
         default:
             return std::string{target.counter};
     }
@@ -53,7 +55,10 @@ Row row_without_target(std::span<const Measurement> measurements, const Measurem
             .bare_ns = {},
             .rambla_ns = median(measured.ns_per_item),
             .value = {},
-            .unit = "x"};
+            .unit = "x",
+            .rates = {}};
+    for (const auto& [name, value] : measured.counters)
+        if (name.ends_with("/s")) row.rates.emplace_back(name, value);
     if (const Measurement* bare = bare_of(measurements, measured.name)) {
         row.bare_ns = median(bare->ns_per_item);
         row.value = median_ratio(measured, *bare);
@@ -70,6 +75,7 @@ std::optional<double> value_of(std::span<const Measurement> measurements, const 
             if (baseline == nullptr) return {};
             return median_ratio(measured, *baseline);
         case Measure::speed_up:
+        case Measure::share:
             if (baseline == nullptr) return {};
             return median_ratio(*baseline, measured);
         case Measure::nanoseconds:
@@ -97,6 +103,7 @@ Row row_not_measured(const Target& target) {
             .rambla_ns = {},
             .value = {},
             .unit = unit_of(target),
+            .rates = {},
             .target = &target,
             .verdict = Verdict::not_measured};
 }
@@ -125,7 +132,14 @@ std::string figure(std::optional<double> value) {
 
 std::string limit(const Target* target, double Target::*which) {
     if (target == nullptr) return "";
-    return fmt::format("{} {}", target->measure == Measure::speed_up ? ">=" : "<=", figure(target->*which));
+    return fmt::format("{} {}", wants_at_least(target->measure) ? ">=" : "<=", figure(target->*which));
+}
+
+std::string rates_of(const Row& row) {
+    std::string text;
+    for (const auto& [unit, value] : row.rates)
+        text += fmt::format("  {} {}", figure(value), unit);
+    return text;
 }
 
 }  // namespace
@@ -161,10 +175,10 @@ std::string to_text(std::span<const Row> rows, const Machine& machine) {
                                    "unit", "solid", "goal", "verdict");
     for (const Row& row : rows) {
         const std::string size = row.size == 0 ? "any" : std::to_string(row.size);
-        text += fmt::format("{:<{}} {:>8} {:>9} {:>9} {:>8} {:<16} {:>8} {:>8}  {}\n", row.operation, width,
+        text += fmt::format("{:<{}} {:>8} {:>9} {:>9} {:>8} {:<16} {:>8} {:>8}  {}{}\n", row.operation, width,
                             size, figure(row.bare_ns), figure(row.rambla_ns), figure(row.value), row.unit,
                             limit(row.target, &Target::solid), limit(row.target, &Target::goal),
-                            text_of(row.verdict));
+                            text_of(row.verdict), rates_of(row));
     }
     return text;
 }

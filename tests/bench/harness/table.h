@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/harness/machine.h"
@@ -18,7 +19,8 @@ struct Row {
     std::optional<double> bare_ns;
     std::optional<double> rambla_ns;
     std::optional<double> value;  ///< in the unit that `measure` says; what is judged
-    std::string unit;             ///< "x", "ns", "x faster", or a counter's name
+    std::string unit;             ///< "x", "ns", "x faster", "share", or a counter's name
+    std::vector<std::pair<std::string, double>> rates;  ///< counters of ours named "…/s", for the reader
     const Target* target = nullptr;
     Verdict verdict = Verdict::no_target;
 };

@@ -11,6 +11,7 @@ enum class Measure {
     nanoseconds,  ///< time of the subject per item, at most
     counter,      ///< a counter that the subject reports, at most
     speed_up,     ///< time of the baseline / time of the subject, at least
+    share,        ///< the same where the subject contains the baseline's work, at least
 };
 
 /// One line of the table of targets.
@@ -22,17 +23,21 @@ struct Target {
     double goal = 0.0;   ///< what we want
     std::string_view reason;
     std::string_view subject = "rambla";  ///< variant that is judged
-    std::string_view baseline = "bare";   ///< variant that it is compared with, for ratio and speed_up
+    std::string_view baseline = "bare";   ///< variant that it is compared with, for ratio, speed_up and share
     std::string_view counter = {};        ///< its name, for counter
 };
 
 enum class Verdict { no_target, not_measured, missed, solid, goal };
 
+/// Whether more is better.
+[[nodiscard]] constexpr bool wants_at_least(Measure measure) {
+    return measure == Measure::speed_up || measure == Measure::share;
+}
+
 /// @param value  in the target's measure
 [[nodiscard]] constexpr Verdict judge(const Target& target, double value) {
-    const bool at_least = target.measure == Measure::speed_up;
     const auto reaches = [&](double limit) {
-        return at_least ? value >= limit : value <= limit;
+        return wants_at_least(target.measure) ? value >= limit : value <= limit;
     };
     if (reaches(target.goal)) return Verdict::goal;
     return reaches(target.solid) ? Verdict::solid : Verdict::missed;

@@ -47,6 +47,21 @@ TEST(GltfInstancing, EachInstanceIsAChildBehindAllOtherNodes) {
     EXPECT_EQ(log.text(), "");
 }
 
+TEST(GltfInstancing, InstancesKeepTheSkeletonAndTheMorphWeights) {
+    Draft draft = corners();
+    draft.add<std::uint8_t>(std::vector<std::uint8_t>(12, 0), "VEC4");
+    draft.add<float>({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4");
+    const Scene scene = draft.load(
+        R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2},)"
+        R"("targets":[{"POSITION":0}]}]}],"skins":[{"joints":[1]}],"nodes":[{"mesh":0,"skin":0,"weights":[0.5],)"
+        R"("extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}}},{}])");
+    ASSERT_EQ(scene.nodes.size(), 5u);
+    EXPECT_EQ(scene.nodes[0].skeleton, k_none);
+    EXPECT_THAT(scene.nodes[0].morph_weights, IsEmpty());
+    EXPECT_EQ(scene.nodes[4].skeleton, 0u);
+    EXPECT_THAT(scene.nodes[4].morph_weights, ElementsAre(0.5f));
+}
+
 TEST(GltfInstancing, InstancesWithoutAPlaceAreLeftOut) {
     Draft draft = corners();
     const float nan = std::numeric_limits<float>::quiet_NaN();

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/assets/targets.h"
 #include "bench/ecs/targets.h"
 
 namespace rambla::bench {
@@ -95,6 +96,32 @@ TEST(Rows, JudgeTimesCountersAndSpeedUps) {
     EXPECT_EQ(rows[3].verdict, Verdict::no_target);
 }
 
+TEST(Rows, JudgeTheBaselinesShareOfTheTime) {
+    constexpr Target k_import{
+        .operation = "import", .measure = Measure::share, .solid = 0.5, .goal = 0.75, .reason = ""};
+    const auto share = [&](double bare_ns) {
+        const std::vector<Measurement> all{measured("import", "bare", 3, bare_ns),
+                                           measured("import", "rambla", 3, 8)};
+        return make_rows(all, {&k_import, 1}).at(0);
+    };
+    EXPECT_DOUBLE_EQ(*share(6).value, 0.75);
+    EXPECT_EQ(share(6).verdict, Verdict::goal);
+    EXPECT_EQ(share(4).verdict, Verdict::solid);
+    EXPECT_EQ(share(3.9).verdict, Verdict::missed);
+    const Row row = share(4);
+    EXPECT_THAT(to_text({&row, 1}, Machine{}), HasSubstr("0.50 share"));
+    EXPECT_THAT(to_text({&row, 1}, Machine{}), HasSubstr(">= 0.75"));
+}
+
+TEST(Report, ShowsRatesOfTheSubject) {
+    std::vector<Measurement> all{measured("import", "bare", 3, 1), measured("import", "rambla", 3, 2)};
+    all[0].counters = {{"MB/s", 700.0}};
+    all[1].counters = {{"MB/s", 512.0}, {"bytes", 7.0}};
+    const std::string text = to_text(make_rows(all, {}), Machine{});
+    EXPECT_THAT(text, HasSubstr("  512 MB/s\n"));
+    EXPECT_THAT(text, testing::Not(HasSubstr("700")));
+}
+
 TEST(Rows, ShowWhatHasNoTargetAgainstTheBareVariantWithTheSameSuffix) {
     const std::vector<Measurement> all{measured("wave", "bare", 5, 2),
                                        measured("wave", "bare_2threads", 5, 1),
@@ -117,12 +144,17 @@ TEST(Report, KeepsEveryRepetitionInItsJson) {
     EXPECT_EQ(json["measurements"][1]["counters"]["bytes"], 3.0);
 }
 
-TEST(EcsTargets, AreOrderedAndGiveReasons) {
-    for (const Target& target : k_ecs_targets) {
+void expect_ordered(std::span<const Target> targets) {
+    for (const Target& target : targets) {
         EXPECT_FALSE(target.reason.empty()) << target.operation;
         EXPECT_EQ(judge(target, target.goal), Verdict::goal) << target.operation;
         EXPECT_EQ(judge(target, target.solid), Verdict::solid) << target.operation;
     }
+}
+
+TEST(Targets, AreOrderedAndGiveReasons) {
+    expect_ordered(k_ecs_targets);
+    expect_ordered(k_assets_targets);
 }
 
 }  // namespace
