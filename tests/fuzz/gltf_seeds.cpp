@@ -82,6 +82,11 @@ GltfSeed instances_and_influences() {
 
 }  // namespace
 
+std::vector<unsigned char> glb_of(const GltfSeed& seed) {
+    const auto* const first = reinterpret_cast<const unsigned char*>(seed.buffer.data());
+    return assets::gltf::join_container(seed.json, {first, seed.buffer.size()});
+}
+
 std::vector<GltfSeed> gltf_seeds() {
     return {exported("standing", assets::test::standing_scene()),
             exported("moving", assets::test::moving_scene()), exported("generated", generated_piece()),

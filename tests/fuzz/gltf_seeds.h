@@ -13,6 +13,9 @@ struct GltfSeed {
     std::string buffer;
 };
 
+/// The same as one GLB file.
+[[nodiscard]] std::vector<unsigned char> glb_of(const GltfSeed& seed);
+
 /// Small scenes with every feature that the importer knows, our own exporter's and written by hand.
 [[nodiscard]] std::vector<GltfSeed> gltf_seeds();
 

@@ -1,4 +1,3 @@
-#include "assets/import/gltf_container.h"
 #include "fuzz/gltf_seeds.h"
 #include "fuzz/import_check.h"
 #include "fuzz/scratch.h"
@@ -14,9 +13,7 @@ void run(Bytes bytes) {
 
 void seeds(const SeedTaker& take) {
     for (const GltfSeed& seed : gltf_seeds()) {
-        const auto* const first = reinterpret_cast<const unsigned char*>(seed.buffer.data());
-        const std::vector<unsigned char> glb =
-            assets::gltf::join_container(seed.json, {first, seed.buffer.size()});
+        const std::vector<unsigned char> glb = glb_of(seed);
         take(seed.name + ".glb", std::as_bytes(std::span{glb}));
     }
 }

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "assets/import/gltf.h"
-#include "assets/import/gltf_container.h"
 #include "fuzz/gltf_seeds.h"
 #include "fuzz/scratch.h"
 #include "fuzz/target.h"
@@ -59,8 +58,7 @@ TEST_F(FuzzTargets, HaveSeedsThatTheyTakeAndAlsoInPart) {
 /// Fuzzing starts from files that load: from others it would not get far.
 TEST_F(FuzzTargets, SeedsOfGltfLoad) {
     for (const GltfSeed& seed : gltf_seeds()) {
-        const auto* const first = reinterpret_cast<const unsigned char*>(seed.buffer.data());
-        const auto glb = assets::gltf::join_container(seed.json, {first, seed.buffer.size()});
+        const std::vector<unsigned char> glb = glb_of(seed);
         const assets::Scene scene =
             assets::import_gltf(write_scratch("seed.glb", std::as_bytes(std::span{glb})));
         EXPECT_FALSE(scene.meshes.empty()) << seed.name;
