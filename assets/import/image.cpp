@@ -99,6 +99,28 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& name, const Pict
                     "at most " + std::to_string(limits.texel_bytes) + " for a file of this size"};
 }
 
+/// A file in memory that has an end: OpenImageIO's own reader (2.4) takes offsets of the picture's tables as
+/// they are and reads behind it.
+class MemoryFile final : public OIIO::Filesystem::IOMemReader {
+public:
+    using IOMemReader::IOMemReader;
+
+    std::size_t pread(void* out, std::size_t size, std::int64_t offset) override {
+        const std::span<const unsigned char> file{m_buf.data(), static_cast<std::size_t>(m_buf.size())};
+        if (offset < 0 || static_cast<std::uint64_t>(offset) >= file.size()) return 0;
+        const auto rest = file.subspan(static_cast<std::size_t>(offset));
+        const std::size_t count = std::min(size, rest.size());
+        std::memcpy(out, rest.data(), count);
+        return count;
+    }
+
+    std::size_t read(void* out, std::size_t size) override {
+        const std::size_t count = pread(out, size, m_pos);
+        m_pos += static_cast<std::int64_t>(count);
+        return count;
+    }
+};
+
 /// A picture in memory, opened for reading; its head keeps to the limits.
 class OpenPicture {
 public:
@@ -118,7 +140,7 @@ public:
         }
         if (format_ == "jpeg") check_jpeg(bytes, name, limits.size_px);
         if (format_ == "openexr") check_exr(bytes, name, limits.size_px);
-        memory_.emplace(const_cast<std::byte*>(bytes.data()), bytes.size());
+        memory_.emplace(bytes.data(), bytes.size());
         OIIO::ImageSpec request;
         request.attribute("oiio:UnassociatedAlpha",
                           1);  // colours stay as stored: glTF's alpha is not premultiplied
@@ -135,7 +157,7 @@ public:
 private:
     std::string format_;
     std::vector<std::byte> essential_;
-    std::optional<OIIO::Filesystem::IOMemReader> memory_;
+    std::optional<MemoryFile> memory_;
     OIIO::ImageSpec spec_;
     std::unique_ptr<OIIO::ImageInput> input_;  ///< goes before the memory that it reads
 };
