@@ -44,7 +44,7 @@ Playback CommandPlayer::play_once(std::span<Commands* const> recordings) {
         while (next < commands_.size()) {
             const std::size_t end = end_of_singles(next);
             const std::span<const Command> singles = commands_.subspan(next, end - next);
-            if (world_.observers_ == nullptr && are_alike(singles) &&
+            if ((world_.observers_ == nullptr || world_.observers_->idle()) && are_alike(singles) &&
                 alike_.play(world_.graph_, bulk(), singles)) {
                 next = end;
             } else if (end != next) {

@@ -39,6 +39,15 @@ ObserverId Observers::insert(const ComponentInfo& info, Moment moment, Function 
     return id;
 }
 
+Observers::~Observers() {
+    for (Hierarchy* hierarchy : followers_)
+        hierarchy->followed_ = nullptr;
+}
+
+bool Observers::idle() const {
+    return size() == 0 && followers_.empty();
+}
+
 void Observers::add_follower(Hierarchy& hierarchy) {
     detail::IterationMark::forbid(world_, "Hierarchy::follow_ends");
     followers_.push_back(&hierarchy);
@@ -220,6 +229,7 @@ void Observers::settle() {
             if (recorded.empty()) return;
             if (depth == k_cascade_limit) throw_without_end();
             recording_ = 1 - recording_;
+            last_recorder_ = nullptr;
             Commands* const playing[]{&recorded};
             detail::CommandPlayer::of(world_).play_once(playing);
         }
@@ -230,6 +240,8 @@ void Observers::settle() {
 }
 
 void Observers::throw_without_end() const {
+    if (last_recorder_ == nullptr)
+        throw Misuse{"ecs: Hierarchy::follow_ends: ends of parents cause further ends without end"};
     constexpr std::array<std::string_view, k_moments> k_calls{"on_remove", "on_add", "on_set"};
     throw Misuse{"ecs: " + std::string{k_calls[static_cast<std::size_t>(last_moment_)]} + "<" +
                  std::string{last_recorder_->name} + ">: observers cause changes without end"};

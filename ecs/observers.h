@@ -67,6 +67,7 @@ public:
     static constexpr std::uint32_t k_cascade_limit = 32;
 
     explicit Observers(World& world) : world_{world} {}
+    ~Observers();
 
     /// f is called for entities that had no C before.
     template <Component C, class F>
@@ -125,6 +126,8 @@ private:
     template <class C, class F>
     ObserverId observe(Moment moment, F f);
     ObserverId insert(const ComponentInfo& info, Moment moment, Function call);
+    /// Whether nobody would be told of anything.
+    [[nodiscard]] bool idle() const;
     /// A hierarchy that records what follows each change in which entities ended, whatever they had.
     void add_follower(Hierarchy& hierarchy);
     void remove_follower(const Hierarchy& hierarchy) noexcept;
@@ -178,7 +181,7 @@ private:
     bool ended_ = false;             ///< some entity, and the followers do not know yet
     std::vector<Entity> announced_;  ///< that announce() returned
     std::exception_ptr error_;
-    const ComponentInfo* last_recorder_ = nullptr;
+    const ComponentInfo* last_recorder_ = nullptr;  ///< of the playback under way; null: no observer
     Moment last_moment_ = Moment::add;
     std::uint32_t next_number_ = 1;
 };

@@ -9,6 +9,7 @@
 
 #include "ecs/command_queue.h"
 #include "ecs/commands.h"
+#include "ecs/observers.h"
 #include "ecs/query.h"
 #include "ecs/world.h"
 
@@ -199,6 +200,16 @@ TEST(AlikeMoves, WhereTheyDoNotFitNothingIsChanged) {
     EXPECT_THROW(crowd.commands.apply(crowd.world), CapacityExceeded);
     EXPECT_EQ(crowd.marked(), before);
     crowd.expect_all_have_their_numbers();
+}
+
+TEST(AlikeMoves, AWorldWithoutObserversIsLikeOneThatNeverHadAny) {
+    Crowd crowd;
+    const ObserverId id = crowd.world.observers().on_add<Mark>([](Entity, const Mark&) {});
+    crowd.world.observers().end(id);
+    for (std::uint32_t i = 0; i < k_chosen; ++i)
+        crowd.commands.add(crowd.chosen[i], Mark{i});
+    crowd.commands.apply(crowd.world);
+    EXPECT_EQ(crowd.marked(), crowd.chosen) << "in the order of the commands";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -272,6 +273,37 @@ TEST(HierarchyFollowsEnds, EqualANaiveModelUnderRandomPlaybacks) {
             }
         }
     }
+}
+
+// Each end lets the next one lose its parent: the observer only writes a value, and what ends without end is
+// recorded by the hierarchy.
+TEST(HierarchyFollow, EndsWithoutEndAreRefusedByName) {
+    World world;
+    Hierarchy hierarchy{world};
+    const Entity safe = world.create();
+    std::vector<Entity> chain;
+    for (int i = 0; i < 60; ++i)
+        chain.push_back(world.create(Parent{safe, OnParentEnd::destroyed}, Health{i}));
+    world.observers().on_remove<Health>([&](Entity dying, const Health& health) {
+        const auto next = static_cast<std::size_t>(health.points) + 1;
+        if (next < chain.size()) world.get_mut<Parent>(chain[next]).entity = dying;
+    });
+    hierarchy.follow_ends();
+    EXPECT_THAT([&] { world.destroy(chain[0]); },
+                ::testing::ThrowsMessage<Misuse>(::testing::HasSubstr("Hierarchy::follow_ends")));
+    EXPECT_TRUE(world.alive(safe));
+    EXPECT_FALSE(world.alive(chain[0]));
+    EXPECT_TRUE(world.alive(chain.back()));
+}
+
+TEST(HierarchyFollow, MayBeAResourceOfItsWorld) {
+    World world;
+    world.set_resource(std::make_unique<Hierarchy>(world));
+    world.resource<std::unique_ptr<Hierarchy>>()->follow_ends();
+    const Entity parent = world.create();
+    const Entity child = world.create(Parent{parent, OnParentEnd::destroyed});
+    world.destroy(parent);
+    EXPECT_FALSE(world.alive(child));
 }
 
 }  // namespace
