@@ -67,6 +67,13 @@ bool write_entry(const fs::path& file, const Header& header, std::span<const std
     return static_cast<bool>(out);
 }
 
+/// A name that no other thread or process uses, whatever it writes.
+fs::path unfinished_name(const fs::path& file) {
+    static std::atomic<std::uint64_t> next{0};
+    return fs::path{file}.replace_extension(
+        fmt::format(".{}-{}{}{}", ::getpid(), next++, k_extension, k_unfinished));
+}
+
 struct Entry {
     fs::path file;
     fs::file_time_type used;
@@ -94,7 +101,18 @@ std::vector<Entry> entries_of(const fs::path& folder) {
     return entries;
 }
 
+std::uint64_t bytes_of(std::span<const Entry> entries) {
+    std::uint64_t bytes = 0;
+    for (const Entry& entry : entries)
+        bytes += entry.bytes;
+    return bytes;
+}
+
 }  // namespace
+
+std::uint64_t cache_bytes(const fs::path& folder) {
+    return bytes_of(entries_of(folder));
+}
 
 Cache::Cache(fs::path folder, std::uint64_t limit_bytes)
     : folder_{std::move(folder)}, limit_bytes_{limit_bytes} {
@@ -128,9 +146,7 @@ std::optional<std::vector<std::byte>> Cache::load(const ContentHash& key) {
 void Cache::store(const ContentHash& key, std::span<const std::byte> payload) {
     if (sizeof(Header) + payload.size() > limit_bytes_) return;
     const fs::path file = file_of(key);
-    fs::path unfinished = file;
-    unfinished.replace_extension(
-        fmt::format(".{}-{}{}{}", ::getpid(), next_name_++, k_extension, k_unfinished));
+    const fs::path unfinished = unfinished_name(file);
     std::error_code failure;
     // No fsync: after a crash the hash tells what did not reach the disk.
     const bool written = write_entry(unfinished, header_of(key, payload), payload);
@@ -149,9 +165,7 @@ void Cache::store(const ContentHash& key, std::span<const std::byte> payload) {
 
 void Cache::evict(const fs::path& kept) {
     std::vector<Entry> entries = entries_of(folder_);
-    bytes_ = 0;
-    for (const Entry& entry : entries)
-        bytes_ += entry.bytes;
+    bytes_ = bytes_of(entries);
     if (bytes_ <= limit_bytes_) return;
     // A tenth below the limit, so that the folder is not listed again for the next entry.
     const std::uint64_t enough = limit_bytes_ - limit_bytes_ / 10;

@@ -61,8 +61,10 @@ private:
     std::atomic<std::uint64_t> stored_ = 0;
     std::atomic<std::uint64_t> failed_ = 0;
     std::atomic<std::uint64_t> evicted_ = 0;
-    std::atomic<std::uint64_t> next_name_ = 0;
     std::atomic<bool> warned_ = false;
 };
+
+/// Bytes of all entries of a folder; 0 where there is none.
+[[nodiscard]] std::uint64_t cache_bytes(const std::filesystem::path& folder);
 
 }  // namespace rambla::assets

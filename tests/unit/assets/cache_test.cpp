@@ -63,6 +63,8 @@ TEST(Cache, GivesBackWhatItTook) {
     Cache later{folder, k_plenty};
     EXPECT_EQ(later.load(key_of(1)), payload_of(1, 1000));
     EXPECT_EQ(later.bytes(), 2 * k_header_bytes + 1000);
+    EXPECT_EQ(cache_bytes(folder), 2 * k_header_bytes + 1000);
+    EXPECT_EQ(cache_bytes(scratch.path() / "nowhere"), 0u);
     EXPECT_EQ(cache.counts().hits, 2u);
     EXPECT_EQ(cache.counts().misses, 1u);
     EXPECT_EQ(cache.counts().stored, 2u);
