@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace rambla::assets {
 
@@ -68,24 +67,20 @@ double alpha_coverage(const Raster& picture, float cutoff) {
 }
 
 void keep_coverage(Raster& picture, double coverage, float cutoff) {
+    if (alpha_coverage(picture, cutoff) >= coverage) return;
     // Coverage does not fall as the scale grows: halve the range of its exponents. At 2⁸ every step is
     // opaque.
-    float low = -8.0f;
+    float low = 0.0f;
     float high = 8.0f;
-    float best = 1.0f;
-    double best_off = std::numeric_limits<double>::infinity();
+    const double wanted = std::min(coverage, scaled_coverage(picture, cutoff, std::exp2(high)));
     constexpr int k_halvings = 16;
-    for (int i = 0; i < k_halvings && best_off > 0.0; ++i) {
+    for (int i = 0; i < k_halvings; ++i) {
         const float exponent = 0.5f * (low + high);
-        const double found = scaled_coverage(picture, cutoff, std::exp2(exponent));
-        if (std::abs(found - coverage) < best_off) {
-            best_off = std::abs(found - coverage);
-            best = std::exp2(exponent);
-        }
-        (found < coverage ? low : high) = exponent;
+        (scaled_coverage(picture, cutoff, std::exp2(exponent)) < wanted ? low : high) = exponent;
     }
+    const float scale = std::exp2(high);
     for (glm::vec4& texel : picture.texels)
-        texel.w = std::min(1.0f, best * texel.w);
+        texel.w = std::min(1.0f, scale * texel.w);
 }
 
 }  // namespace rambla::assets

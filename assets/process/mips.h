@@ -12,7 +12,7 @@ namespace rambla::assets {
 enum class AlphaUse : std::uint8_t {
     ignored,  ///< nothing: colours count alike, whatever theirs is
     blended,  ///< transparent texels lend no colour to their neighbours
-    tested    ///< likewise, and the share of the picture that passes the test stays the same in all levels
+    tested    ///< likewise, and the share of the picture that passes the test shrinks in no level
 };
 
 struct ColourMips {
