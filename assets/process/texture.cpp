@@ -41,11 +41,12 @@ struct Layout {
     std::array<std::size_t, 2> stored{0, 1};  ///< channels of the picture that bc4 and bc5 keep
 };
 
-Layout layout_of(ChannelMask channels, bool opaque) {
+/// Graphics cards know blocks of one or two channels in linear light alone.
+Layout layout_of(ChannelMask channels, ColourSpace colour_space, bool opaque) {
     std::vector<std::size_t> used;
     for (std::size_t c = 0; c < 4; ++c)
         if ((channels >> c & 1) != 0) used.push_back(c);
-    if (used.empty() || used.size() > 2)
+    if (used.empty() || used.size() > 2 || colour_space == ColourSpace::srgb)
         return {.format = (channels & k_alpha) != 0 && !opaque ? TexelFormat::bc3 : TexelFormat::bc1};
     Layout layout;
     layout.format = used.size() == 1 ? TexelFormat::bc4 : TexelFormat::bc5;
@@ -80,7 +81,8 @@ TextureData process_texture(const TextureJob& job, ChannelMask channels, std::sp
     if (picture.format == PixelFormat::rgba32f) {
         layout.format = TexelFormat::rgba32f;
     } else if (parameters.compression != Compression::off) {
-        const Layout blocks = layout_of(channels, std::all_of(levels.begin(), levels.end(), is_opaque));
+        const Layout blocks =
+            layout_of(channels, job.colour_space, std::all_of(levels.begin(), levels.end(), is_opaque));
         if (stored_size(blocks.format, finest.width, finest.height) <
             stored_size(TexelFormat::rgba8, finest.width, finest.height))
             layout = blocks;

@@ -81,7 +81,8 @@ TEST(ProcessTextures, FormatsFollowTheChannelsThatAreRead) {
     Scene scene = pictures();
     scene.materials.resize(4);
     scene.materials[0].metalness_roughness_texture = slot(1);
-    scene.materials[1].transmission_texture = slot(0);
+    scene.materials[1].transmission_texture = slot(2);
+    scene.materials[1].occlusion_texture = slot(0);
     scene.materials[2].emissive_texture = slot(3);
     scene.materials[2].base_colour_texture = slot(4);
     scene.materials[3].normal_texture = slot(2);
@@ -99,6 +100,8 @@ TEST(ProcessTextures, FormatsFollowTheChannelsThatAreRead) {
     EXPECT_EQ(std::to_integer<int>(back.texels[1]), 7);
     EXPECT_EQ(finest.rms_error, 0.0f);  // two values a block
     EXPECT_EQ(shown(out, out.materials[1].transmission_texture).format, TexelFormat::bc4);
+    EXPECT_EQ(shown(out, out.materials[1].occlusion_texture).format, TexelFormat::bc1)
+        << "one channel, but sRGB, which bc4 cannot be";
     EXPECT_EQ(shown(out, out.materials[2].emissive_texture).format, TexelFormat::rgba32f);
     EXPECT_EQ(shown(out, out.materials[2].base_colour_texture).format, TexelFormat::rgba8);
     const TextureData& normals = shown(out, out.materials[3].normal_texture);
