@@ -17,6 +17,7 @@
 #include "game/interface.h"
 #include "game/overlay.h"
 #include "game/picture_writer.h"
+#include "game/scene_cache.h"
 #include "game/shader_folder.h"
 #include "game/window.h"
 #include "render/post/hud.h"
@@ -53,7 +54,7 @@ public:
           shaders_{ShaderFolder::of_build()},
           thread_{{.window = window_.context(), .shaders = shaders_.source(), .gl_errors_throw = false}} {
         hud_.walking = options.walking;
-        thread_.upload(stage.scene);
+        thread_.upload(stage.scene, prepare_scene(*stage.scene, thread_.device()).scene);
     }
 
     std::uint64_t run(const Update& update) {

@@ -22,6 +22,7 @@
 #include "game/picture_writer.h"
 #include "game/process_memory.h"
 #include "game/progress.h"
+#include "game/scene_cache.h"
 #include "game/step_clock.h"
 #include "game/walk_report.h"
 #include "game/window.h"
@@ -68,7 +69,7 @@ public:
             render::RenderThreadOptions{.window = window_ ? window_->context() : render::WindowContext{},
                                         .shaders = {},
                                         .gl_errors_throw = false});
-        thread_->upload(stage.scene);
+        upload();
         measures_.scene = options.scene;
         measures_.seed = options.seed;
         measures_.size_px = options.size_px;
@@ -160,6 +161,21 @@ public:
     }
 
 private:
+    /// Waits until everything is drawn that the first frame needs, so that frames are measured alone.
+    void upload() {
+        PreparedScene prepared = prepare_scene(*stage_.scene, thread_->device());
+        const Clock::time_point start = Clock::now();
+        thread_->upload(stage_.scene, std::move(prepared.scene));
+        thread_->finish();
+        measures_.start = {
+            .generating_ms = walk_.generating_ms,
+            .loading_ms = prepared.loading_ms,
+            .processing_ms = prepared.processing_ms,
+            .uploading_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count(),
+            .cache_hits = prepared.cache_hits,
+            .cache_misses = prepared.cache_misses};
+    }
+
     [[nodiscard]] float time_of(std::uint32_t frame) const {
         const float whole_s = duration_s(stage_.walk);
         return walk_.frames > 1 ? whole_s * static_cast<float>(frame) / static_cast<float>(walk_.frames - 1)

@@ -19,6 +19,7 @@ struct WalkRender {
     std::uint32_t profile_frames = 12;
     std::filesystem::path graph;  ///< empty: not drawn
     bool stats = false;
+    double generating_ms = 0.0;  ///< what making the stage took, for the report
 };
 
 struct WalkResult {

@@ -38,6 +38,14 @@ HeldSample last_held(const WalkMeasures& m) {
     return m.held.empty() ? HeldSample{} : m.held.back();
 }
 
+std::string start_text(const StartMeasures& s) {
+    return fmt::format(
+        "started in {:.0f} ms: {:.0f} generating, {:.0f} loading ({} cache hits), {:.0f} processing ({} "
+        "misses), {:.0f} uploading and compiling\n",
+        s.generating_ms + s.loading_ms + s.processing_ms + s.uploading_ms, s.generating_ms, s.loading_ms,
+        s.cache_hits, s.processing_ms, s.cache_misses, s.uploading_ms);
+}
+
 std::string systems_text(const WalkMeasures& m) {
     std::string text;
     for (const SystemSamples& system : m.systems) {
@@ -53,6 +61,7 @@ std::string summary_text(const WalkMeasures& m) {
     std::string text =
         fmt::format("{} seed {}, {} frames of {}x{} over {:.1f} s of walk ({} steps)\n", m.scene, m.seed,
                     m.drawn.size(), m.size_px.x, m.size_px.y, m.walk_s, m.steps);
+    text += start_text(m.start);
     text += fmt::format("drawn and encoded in {:.1f} s, {:.2f} frames per second{}\n", m.run_s,
                         frames_per_second(m), frame_times_text(m));
     text += fmt::format(
@@ -74,6 +83,13 @@ nlohmann::json summary_json(const WalkMeasures& m) {
     return {{"frames", m.drawn.size()},
             {"width_px", m.size_px.x},
             {"height_px", m.size_px.y},
+            {"start_ms",
+             {{"generating", m.start.generating_ms},
+              {"loading", m.start.loading_ms},
+              {"processing", m.start.processing_ms},
+              {"uploading", m.start.uploading_ms}}},
+            {"cache_hits", m.start.cache_hits},
+            {"cache_misses", m.start.cache_misses},
             {"run_s", m.run_s},
             {"frames_per_second", frames_per_second(m)},
             {"frame_ms_median", frame_ms_json(m, 0.5)},

@@ -18,8 +18,19 @@ struct SystemSamples {
     std::vector<double> ms;
 };
 
+/// Where the time went before the first frame; wall time, one after the other.
+struct StartMeasures {
+    double generating_ms = 0.0;  ///< the scene and its world
+    double loading_ms = 0.0;     ///< what was processed by an earlier start
+    double processing_ms = 0.0;  ///< meshes and textures that the cache did not have
+    double uploading_ms = 0.0;   ///< to the graphics card, and compiling shaders
+    std::uint32_t cache_hits = 0;
+    std::uint32_t cache_misses = 0;
+};
+
 /// What was measured while a walk was drawn.
 struct WalkMeasures {
+    StartMeasures start;
     std::string scene;
     std::uint64_t seed = 0;
     glm::uvec2 size_px{0};

@@ -44,6 +44,11 @@ bool DrawList::is_drawn_twice(std::uint32_t pipeline) const {
     return kind_ == DrawKind::blended && systems::unpack_pipeline(pipeline).double_sided;
 }
 
+bool DrawList::draws_shadow_meshes(systems::Pipeline pipeline) const {
+    return kind_ == DrawKind::depth_only && !is_masked(pipeline) && !pipeline.skinned && !pipeline.morphed &&
+           pipeline.topology == static_cast<std::uint8_t>(assets::Topology::triangles);
+}
+
 bool DrawList::continues(const Run& run, std::uint32_t pipeline, std::uint32_t material) const {
     if (run.pipeline != pipeline || is_drawn_twice(pipeline)) return false;
     if (run.material == material) return true;
@@ -52,7 +57,8 @@ bool DrawList::continues(const Run& run, std::uint32_t pipeline, std::uint32_t m
 
 void DrawList::add(const SceneStore& scene, std::uint32_t pipeline, std::uint32_t material,
                    std::uint32_t mesh, std::uint32_t first_instance, std::uint32_t instance_count) {
-    const MeshRange& range = scene.mesh(mesh);
+    const MeshRange& range =
+        draws_shadow_meshes(systems::unpack_pipeline(pipeline)) ? scene.shadow_mesh(mesh) : scene.mesh(mesh);
     if (range.index_count == 0 || instance_count == 0) return;
     if (kind_ == DrawKind::depth_only) pipeline = depth_pipeline(pipeline);
     if (runs_.empty() || !continues(runs_.back(), pipeline, material)) {
@@ -108,7 +114,8 @@ void DrawList::begin() const {
 
 void DrawList::draw_run(const SceneStore& scene, const Run& run, DrawCounts& counts) const {
     const systems::Pipeline pipeline = systems::unpack_pipeline(run.pipeline);
-    scene.vertices(pipeline.skinned).bind();
+    const bool shadow_meshes = draws_shadow_meshes(pipeline);
+    (shadow_meshes ? scene.shadow_vertices() : scene.vertices(pipeline.skinned)).bind();
     glFrontFace(pipeline.mirrored ? GL_CW : GL_CCW);
     if (kind_ != DrawKind::depth_only) {
         scene.bind_textures(run.material);

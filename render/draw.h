@@ -22,7 +22,8 @@ struct DrawCounts {
 enum class DrawKind : std::uint8_t {
     shaded,     ///< a run per pipeline and material, with the material's textures
     blended,    ///< as shaded; what is seen from both sides is drawn twice, back faces first, thing by thing
-    depth_only  ///< opaque materials merge into one run per cull state; masked ones bind their base colour
+    depth_only  ///< opaque materials merge into one run per cull state, and draw shadow meshes unless they
+                ///< deform; masked ones bind their base colour
 };
 
 /// Meshes to draw, as indirect commands: one glMultiDrawElementsIndirect per run of equal state. Keeps its
@@ -77,6 +78,7 @@ private:
     };
 
     [[nodiscard]] bool is_drawn_twice(std::uint32_t pipeline) const;
+    [[nodiscard]] bool draws_shadow_meshes(systems::Pipeline pipeline) const;
     [[nodiscard]] bool continues(const Run& run, std::uint32_t pipeline, std::uint32_t material) const;
     void begin() const;
     void draw_run(const SceneStore& scene, const Run& run, DrawCounts& counts) const;

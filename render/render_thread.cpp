@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -21,6 +22,7 @@ constexpr std::chrono::milliseconds k_poll{1};
 /// Work in the order in which it was handed over: a scene, or else the frame in a slot.
 struct Command {
     std::shared_ptr<const assets::Scene> scene;
+    std::shared_ptr<const assets::ProcessedScene> processed;
     std::size_t slot = 0;
 };
 
@@ -36,6 +38,7 @@ struct RenderThread::State {
     std::condition_variable changed;
     // Guarded by the mutex:
     std::array<bool, 2> slot_busy{};  ///< submitted and not yet drawn
+    std::optional<DeviceInfo> device;
     std::vector<Command> queue;
     std::vector<FrameOutput> outputs;
     bool working = false;    ///< a command is being carried out, or frames are in flight
@@ -54,7 +57,11 @@ struct RenderThread::State {
 
 void RenderThread::State::run() {
     try {
-        Renderer renderer{options};
+        Renderer renderer{options, [this](const DeviceInfo& info) {
+                              const std::scoped_lock lock{mutex};
+                              device = info;
+                              changed.notify_all();
+                          }};
         serve(renderer);
     } catch (...) {
         const std::scoped_lock lock{mutex};
@@ -88,8 +95,8 @@ void RenderThread::State::serve(Renderer& renderer) {
         const bool drain = finishing && !has_command;
         lock.unlock();
         if (command.scene) {
-            renderer.upload(*command.scene);
-            command.scene.reset();
+            renderer.upload(*command.scene, *command.processed);
+            command = {};
         } else if (has_command) {
             renderer.draw(slots[command.slot]);
             lock.lock();
@@ -121,12 +128,20 @@ RenderThread::~RenderThread() {
     state_->thread.join();
 }
 
-void RenderThread::upload(std::shared_ptr<const assets::Scene> scene) {
-    RAMBLA_ASSERT(scene != nullptr, "there is a scene to upload");
+DeviceInfo RenderThread::device() {
+    std::unique_lock lock{state_->mutex};
+    state_->changed.wait(lock, [this] { return state_->failure || state_->device; });
+    state_->rethrow();
+    return *state_->device;
+}
+
+void RenderThread::upload(std::shared_ptr<const assets::Scene> scene,
+                          std::shared_ptr<const assets::ProcessedScene> processed) {
+    RAMBLA_ASSERT(scene != nullptr && processed != nullptr, "there is a scene to upload");
     {
         const std::scoped_lock lock{state_->mutex};
         state_->rethrow();
-        state_->queue.push_back({.scene = std::move(scene)});
+        state_->queue.push_back({.scene = std::move(scene), .processed = std::move(processed)});
     }
     state_->changed.notify_all();
 }
@@ -144,7 +159,7 @@ void RenderThread::submit() {
         state_->rethrow();
         RAMBLA_ASSERT(!state_->slot_busy[state_->filling], "begin() came before submit()");
         state_->slot_busy[state_->filling] = true;
-        state_->queue.push_back({.scene = nullptr, .slot = state_->filling});
+        state_->queue.push_back({.scene = nullptr, .processed = nullptr, .slot = state_->filling});
         state_->filling = 1 - state_->filling;
     }
     state_->changed.notify_all();

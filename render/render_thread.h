@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "assets/image.h"
+#include "assets/processed.h"
 #include "assets/scene.h"
+#include "render/gl/context.h"
 #include "render/settings.h"
 #include "render/shader_source.h"
 #include "render/window_context.h"
@@ -47,8 +49,13 @@ public:
     RenderThread(const RenderThread&) = delete;
     RenderThread& operator=(const RenderThread&) = delete;
 
-    /// Hands over the scene whose indices all later Frames use; returns at once.
-    void upload(std::shared_ptr<const assets::Scene> scene);
+    /// What draws. Waits until there is a context, not for the shaders.
+    [[nodiscard]] DeviceInfo device();
+
+    /// Hands over the scene whose indices all later Frames use, and what was made of it; returns at once, and
+    /// lets go of both when they are uploaded.
+    void upload(std::shared_ptr<const assets::Scene> scene,
+                std::shared_ptr<const assets::ProcessedScene> processed);
 
     /// Waits until a FrameInput is free and returns it for filling; its contents are those of two frames ago.
     [[nodiscard]] FrameInput& begin();

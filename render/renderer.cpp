@@ -51,6 +51,12 @@ PassSamplers make_samplers() {
                                          {.minify = GL_LINEAR, .magnify = GL_LINEAR, .compare = GL_GEQUAL}}};
 }
 
+DeviceInfo tell_device(const std::function<void(const DeviceInfo&)>& on_device) {
+    DeviceInfo device = gl::describe_device();
+    if (on_device) on_device(device);
+    return device;
+}
+
 /// A submitted frame whose fence has not been seen to pass.
 struct InFlight {
     GLsync fence = nullptr;
@@ -63,8 +69,9 @@ struct InFlight {
 }  // namespace
 
 struct Renderer::State {
-    explicit State(const RenderThreadOptions& options)
+    State(const RenderThreadOptions& options, const std::function<void(const DeviceInfo&)>& on_device)
         : context{options.window, options.gl_errors_throw},
+          device{tell_device(on_device)},
           compile_ahead{options.compile_ahead},
           programs{options.shaders},
           samplers{make_samplers()},
@@ -78,6 +85,7 @@ struct Renderer::State {
     }
 
     gl::Context context;
+    DeviceInfo device;
     bool compile_ahead;
     gl::ProgramRegistry programs;
     SceneStore scene;
@@ -104,11 +112,13 @@ struct Renderer::State {
     std::vector<FrameOutput> overtaken;  ///< finished because draw() had to wait
 };
 
-Renderer::Renderer(const RenderThreadOptions& options) : state_{std::make_unique<State>(options)} {}
+Renderer::Renderer(const RenderThreadOptions& options,
+                   const std::function<void(const DeviceInfo&)>& on_device)
+    : state_{std::make_unique<State>(options, on_device)} {}
 Renderer::~Renderer() = default;
 
-void Renderer::upload(const assets::Scene& scene) {
-    state_->scene.upload(scene);
+void Renderer::upload(const assets::Scene& scene, const assets::ProcessedScene& processed) {
+    state_->scene.upload(processed);
     if (!state_->compile_ahead) return;
     for (const FrameInput& input : warm_up_frames(scene))
         state_->draw(input, true);

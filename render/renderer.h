@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
+#include "assets/processed.h"
 #include "assets/scene.h"
+#include "render/gl/context.h"
 #include "render/render_thread.h"
 
 namespace rambla::render {
@@ -13,14 +16,16 @@ namespace rambla::render {
 /// in flight.
 class Renderer {
 public:
+    /// @param on_device  is told what draws as soon as there is a context, before shaders are compiled
     /// @throws MissingFeature, gl::ShaderError
-    explicit Renderer(const RenderThreadOptions& options);
+    explicit Renderer(const RenderThreadOptions& options,
+                      const std::function<void(const DeviceInfo&)>& on_device = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Replaces the scene whose indices Frames use.
-    void upload(const assets::Scene& scene);
+    /// Replaces the scene whose indices Frames use. @param processed  what was made of it
+    void upload(const assets::Scene& scene, const assets::ProcessedScene& processed);
 
     /// Draws and shows one frame. @throws std::runtime_error  with GL's messages, if errors are to throw
     void draw(const FrameInput& input);

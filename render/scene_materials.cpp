@@ -33,13 +33,21 @@ MaterialSlots find_slots(const assets::Material& material, const SceneTextures& 
     return slots;
 }
 
+bool lacks_normal_z(const assets::ProcessedScene& scene, const assets::Material& material) {
+    const std::uint32_t texture = material.normal_texture.texture;
+    if (texture >= scene.textures.size()) return false;
+    const assets::TextureData& image = scene.images[scene.textures[texture].image];
+    return image.normal_map && image.swizzle[2] == assets::ChannelSource::one;
+}
+
 }  // namespace
 
-shared::Material shader_material(const assets::Material& m) {
+shared::Material shader_material(const assets::Material& m, bool normal_z_is_missing) {
     std::uint32_t flags = 0;
     if (m.unlit) flags |= shared::k_material_unlit;
     if (m.double_sided) flags |= shared::k_material_double_sided;
     if (m.normal_texture.texture != assets::k_none) flags |= shared::k_material_has_normal_texture;
+    if (normal_z_is_missing) flags |= shared::k_material_normal_z_is_missing;
     return {.base_colour = m.base_colour,
             .emissive_cutoff = glm::vec4{m.emissive, m.alpha_cutoff},
             .metalness = m.metalness,
@@ -57,14 +65,14 @@ shared::Material shader_material(const assets::Material& m) {
             .emissive_uv = shader_transform(m.emissive_texture)};
 }
 
-SceneMaterials upload_materials(const assets::Scene& scene, const SceneTextures& textures) {
+SceneMaterials upload_materials(const assets::ProcessedScene& scene, const SceneTextures& textures) {
     SceneMaterials result;
     result.materials = scene.materials;
     result.materials.emplace_back();
     std::vector<shared::Material> rows;
     rows.reserve(result.materials.size());
     for (const assets::Material& material : result.materials) {
-        rows.push_back(shader_material(material));
+        rows.push_back(shader_material(material, lacks_normal_z(scene, material)));
         result.slots.push_back(find_slots(material, textures));
     }
     result.buffer = gl::Buffer{"materials", rows.size() * sizeof(shared::Material), rows.data()};

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "assets/scene.h"
+#include "assets/processed.h"
 #include "render/gl/buffer.h"
 #include "render/scene_textures.h"
 #include "render/shaders/shared/material.h"
@@ -23,7 +23,9 @@ struct SceneMaterials {
     gl::Buffer buffer;  ///< of shared::Material
 };
 
-[[nodiscard]] shared::Material shader_material(const assets::Material& material);
-[[nodiscard]] SceneMaterials upload_materials(const assets::Scene& scene, const SceneTextures& textures);
+/// @param normal_z_is_missing  of the normal texture
+[[nodiscard]] shared::Material shader_material(const assets::Material& material, bool normal_z_is_missing);
+[[nodiscard]] SceneMaterials upload_materials(const assets::ProcessedScene& scene,
+                                              const SceneTextures& textures);
 
 }  // namespace rambla::render

@@ -99,17 +99,17 @@ PackedSkin pack_skin(const assets::Mesh& mesh, std::size_t vertex) {
             packed([&](unsigned i) { return shares[i]; })};
 }
 
-SceneMeshes upload_meshes(std::span<const assets::Mesh> meshes) {
+SceneMeshes upload_meshes(std::span<const assets::ProcessedMesh> meshes) {
     std::size_t vertex_count = 0;
     std::size_t index_count = 0;
     std::vector<std::uint32_t> order(meshes.size());
     for (std::uint32_t i = 0; i < meshes.size(); ++i) {
-        vertex_count += meshes[i].positions.size();
-        index_count += meshes[i].indices.size();
+        vertex_count += meshes[i].mesh.positions.size();
+        index_count += meshes[i].mesh.indices.size();
         order[i] = i;
     }
     std::stable_partition(order.begin(), order.end(),
-                          [&](std::uint32_t i) { return !meshes[i].weights.empty(); });
+                          [&](std::uint32_t i) { return !meshes[i].mesh.weights.empty(); });
     std::vector<glm::vec3> positions;
     std::vector<PackedAttributes> attributes;
     std::vector<PackedSkin> skins;
@@ -121,7 +121,7 @@ SceneMeshes upload_meshes(std::span<const assets::Mesh> meshes) {
     SceneMeshes result;
     result.ranges.resize(meshes.size());
     for (const std::uint32_t number : order) {
-        const assets::Mesh& mesh = meshes[number];
+        const assets::Mesh& mesh = meshes[number].mesh;
         result.ranges[number] = {.first_index = static_cast<std::uint32_t>(indices.size()),
                                  .index_count = static_cast<std::uint32_t>(mesh.indices.size()),
                                  .base_vertex = static_cast<std::int32_t>(positions.size()),

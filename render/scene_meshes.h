@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "assets/mesh.h"
+#include "assets/processed.h"
 #include "render/gl/buffer.h"
 #include "render/gl/vertex_array.h"
 #include "render/scene_store.h"
@@ -46,6 +46,7 @@ struct SceneMeshes {
     std::vector<MeshRange> ranges;     ///< as the scene counts its meshes
 };
 
-[[nodiscard]] SceneMeshes upload_meshes(std::span<const assets::Mesh> meshes);
+/// Uploads the finest level of each mesh.
+[[nodiscard]] SceneMeshes upload_meshes(std::span<const assets::ProcessedMesh> meshes);
 
 }  // namespace rambla::render

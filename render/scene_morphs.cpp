@@ -21,15 +21,15 @@ std::uint32_t add_column(std::vector<std::uint32_t>& words, std::span<const glm:
 
 }  // namespace
 
-std::vector<std::uint32_t> pack_morphs(std::span<const assets::Mesh> meshes,
+std::vector<std::uint32_t> pack_morphs(std::span<const assets::ProcessedMesh> meshes,
                                        std::span<const MeshRange> ranges) {
     std::size_t targets = 0;
-    for (const assets::Mesh& mesh : meshes)
-        targets += mesh.morphs.size();
+    for (const assets::ProcessedMesh& processed : meshes)
+        targets += processed.mesh.morphs.size();
     std::vector<std::uint32_t> words(targets * shared::k_morph_target_words);
     std::size_t place = 0;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
-        for (const assets::MorphTarget& morph : meshes[m].morphs) {
+        for (const assets::MorphTarget& morph : meshes[m].mesh.morphs) {
             shared::MorphTarget target{0, 0, 0, 0};
             const auto add = [&](std::span<const glm::vec3> column, shared::uint flag, shared::uint& first) {
                 if (column.empty()) return;

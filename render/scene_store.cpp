@@ -6,6 +6,7 @@
 #include "render/scene_materials.h"
 #include "render/scene_meshes.h"
 #include "render/scene_morphs.h"
+#include "render/scene_shadows.h"
 #include "render/scene_textures.h"
 #include "render/shaders/shared/bindings.h"
 
@@ -13,6 +14,7 @@ namespace rambla::render {
 
 struct SceneStore::State {
     SceneMeshes meshes;
+    SceneShadows shadows;
     gl::Buffer morphs;
     SceneTextures textures;
     SceneMaterials materials;
@@ -23,10 +25,11 @@ SceneStore::SceneStore() : state_{std::make_unique<State>()} {
 }
 SceneStore::~SceneStore() = default;
 
-void SceneStore::upload(const assets::Scene& scene) {
+void SceneStore::upload(const assets::ProcessedScene& scene) {
     // The old scene goes first: two large scenes need not fit beside each other.
     state_ = std::make_unique<State>();
     state_->meshes = upload_meshes(scene.meshes);
+    state_->shadows = upload_shadows(scene.meshes);
     const std::vector<std::uint32_t> morphs = pack_morphs(scene.meshes, state_->meshes.ranges);
     if (!morphs.empty())
         state_->morphs = gl::Buffer{"morphs", morphs.size() * sizeof(std::uint32_t), morphs.data()};
@@ -37,6 +40,11 @@ void SceneStore::upload(const assets::Scene& scene) {
 const MeshRange& SceneStore::mesh(std::uint32_t index) const {
     RAMBLA_ASSERT(index < state_->meshes.ranges.size(), "Frames use the uploaded scene's indices");
     return state_->meshes.ranges[index];
+}
+
+const MeshRange& SceneStore::shadow_mesh(std::uint32_t index) const {
+    RAMBLA_ASSERT(index < state_->shadows.ranges.size(), "Frames use the uploaded scene's indices");
+    return state_->shadows.ranges[index];
 }
 
 std::uint32_t SceneStore::mesh_count() const {
@@ -61,6 +69,10 @@ const gl::VertexArray& SceneStore::vertices(bool skinned) const {
 
 gl::BufferRange SceneStore::morphs() const {
     return state_->morphs.range();
+}
+
+const gl::VertexArray& SceneStore::shadow_vertices() const {
+    return state_->shadows.vertices;
 }
 
 gl::BufferRange SceneStore::materials() const {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "assets/scene.h"
+#include "assets/processed.h"
 #include "render/gl/buffer.h"
 #include "render/gl/texture.h"
 #include "render/gl/vertex_array.h"
@@ -21,8 +21,9 @@ struct MeshRange {
 };
 
 /// A scene on the GPU: all meshes in one pair of vertex streams (positions apart, so that depth passes read
-/// 12 bytes a vertex; a third one for skinned meshes alone) and one index buffer, morph targets, textures
-/// with mips, materials in one storage buffer. Indices are those of the scene.
+/// 12 bytes a vertex; a third one for skinned meshes alone) and one index buffer, their shadow meshes beside
+/// them, morph targets, textures with mips, materials in one storage buffer. Indices of meshes and materials
+/// are those of the scene.
 class SceneStore {
 public:
     SceneStore();
@@ -31,9 +32,11 @@ public:
     SceneStore& operator=(const SceneStore&) = delete;
 
     /// Replaces everything by the contents of `scene`.
-    void upload(const assets::Scene& scene);
+    void upload(const assets::ProcessedScene& scene);
 
     [[nodiscard]] const MeshRange& mesh(std::uint32_t index) const;
+    /// What a mesh of opaque triangles casts that does not deform, of shadow_vertices().
+    [[nodiscard]] const MeshRange& shadow_mesh(std::uint32_t index) const;
     [[nodiscard]] std::uint32_t mesh_count() const;
     [[nodiscard]] std::uint32_t material_count() const;  ///< the default material not counted
     [[nodiscard]] const assets::Material& material(
@@ -41,6 +44,8 @@ public:
 
     /// The vertex array of all meshes, or of the skinned ones; attributes as shared/bindings.h names them.
     [[nodiscard]] const gl::VertexArray& vertices(bool skinned) const;
+    /// The vertex array of all shadow meshes: positions alone.
+    [[nodiscard]] const gl::VertexArray& shadow_vertices() const;
     /// See scene_morphs.h.
     [[nodiscard]] gl::BufferRange morphs() const;
     /// Array of shared::Material; the default material lies behind the scene's own, at material_count().

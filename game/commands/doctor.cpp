@@ -1,16 +1,21 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "assets/cache/cache.h"
 #include "game/commands/command.h"
 #include "game/exit_code.h"
 #include "game/json_output.h"
 #include "game/options.h"
+#include "game/pass_table.h"
+#include "game/scene_cache.h"
 #include "game/schedule_report.h"
 #include "game/window.h"
 #include "render/gl/context.h"
@@ -53,12 +58,22 @@ std::vector<std::string> advice_for(const render::DeviceInfo& device) {
     return advice;
 }
 
-std::string to_text(const render::DeviceInfo& device, const std::vector<std::string>& advice) {
+/// What is kept of processed scenes.
+struct CacheState {
+    std::filesystem::path folder = cache_folder();
+    std::uint64_t bytes = assets::cache_bytes(folder);
+};
+
+std::string to_text(const render::DeviceInfo& device, const CacheState& cache,
+                    const std::vector<std::string>& advice) {
     std::string text = fmt::format(
         "OpenGL    {}\nGLSL      {}\nrenderer  {} ({})\nvendor    {}\n"
-        "processor {} threads\ndisplay   {}\n\nfeatures\n",
+        "processor {} threads\ndisplay   {}\ntextures  {}block-compressed: {}\n"
+        "cache     {}, {} of at most {}\n\nfeatures\n",
         device.version, device.shading_language, device.renderer, device.software ? "software" : "hardware",
-        device.vendor, std::thread::hardware_concurrency(), has_display() ? "yes" : "none");
+        device.vendor, std::thread::hardware_concurrency(), has_display() ? "yes" : "none",
+        device.block_compression ? "" : "not ", device.block_compression_reason, cache.folder.string(),
+        bytes_text(static_cast<double>(cache.bytes)), bytes_text(static_cast<double>(k_cache_limit_bytes)));
     for (const render::DeviceFeature& feature : device.features) {
         text += fmt::format("  {:<44} {}{}\n", feature.name, feature.present ? "yes" : "no",
                             feature.required ? " (required)" : "");
@@ -74,7 +89,8 @@ std::string to_text(const render::DeviceInfo& device, const std::vector<std::str
     return text;
 }
 
-nlohmann::json to_json(const render::DeviceInfo& device, const std::vector<std::string>& advice, bool good) {
+nlohmann::json to_json(const render::DeviceInfo& device, const CacheState& cache,
+                       const std::vector<std::string>& advice, bool good) {
     nlohmann::json features = nlohmann::json::array();
     for (const render::DeviceFeature& feature : device.features) {
         features.push_back(
@@ -84,17 +100,22 @@ nlohmann::json to_json(const render::DeviceInfo& device, const std::vector<std::
     for (const render::DeviceLimit& limit : device.limits) {
         limits.push_back({{"name", limit.name}, {"value", limit.value}, {"required", limit.required}});
     }
-    return {{"schema", "rambla.doctor/1"},
-            {"good", good},
-            {"version", device.version},
-            {"shading_language", device.shading_language},
-            {"renderer", device.renderer},
-            {"vendor", device.vendor},
-            {"software", device.software},
-            {"display", has_display()},
-            {"features", features},
-            {"limits", limits},
-            {"advice", advice}};
+    return {
+        {"schema", "rambla.doctor/1"},
+        {"good", good},
+        {"version", device.version},
+        {"shading_language", device.shading_language},
+        {"renderer", device.renderer},
+        {"vendor", device.vendor},
+        {"software", device.software},
+        {"display", has_display()},
+        {"block_compression", device.block_compression},
+        {"block_compression_reason", device.block_compression_reason},
+        {"cache",
+         {{"folder", cache.folder.string()}, {"bytes", cache.bytes}, {"limit_bytes", k_cache_limit_bytes}}},
+        {"features", features},
+        {"limits", limits},
+        {"advice", advice}};
 }
 
 struct DoctorCommand {
@@ -118,8 +139,9 @@ int run(const DoctorCommand& command) {
         std::all_of(device.features.begin(), device.features.end(), [](const auto& f) { return meets(f); }) &&
         std::all_of(device.limits.begin(), device.limits.end(), [](const auto& l) { return meets(l); });
     const std::vector<std::string> advice = advice_for(device);
-    print_result(options.json, to_text(device, advice));
-    write_json(options.json, to_json(device, advice, good));
+    const CacheState cache;
+    print_result(options.json, to_text(device, cache, advice));
+    write_json(options.json, to_json(device, cache, advice, good));
     return good ? k_done : k_machine_lacks;
 }
 

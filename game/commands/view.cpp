@@ -22,6 +22,7 @@
 #include "game/framing.h"
 #include "game/json_output.h"
 #include "game/options.h"
+#include "game/scene_cache.h"
 #include "game/view_session.h"
 #include "game/window.h"
 #include "render/render_thread.h"
@@ -109,7 +110,7 @@ int draw_picture(const ViewCommand& command, Stage& stage, systems::Eye eye,
     const bool linear = command.out.extension() == ".exr";
     eye.size_px = command.options.size_px;
     render::RenderThread thread{{.window = {}, .shaders = {}, .gl_errors_throw = false}};
-    thread.upload(stage.scene);
+    thread.upload(stage.scene, prepare_scene(*stage.scene, thread.device()).scene);
     render::FrameInput& input = thread.begin();
     systems::build_frame(*stage.world, eye, 1.0f, input.frame);
     input.frame.capture = {.display = !linear, .linear = linear};

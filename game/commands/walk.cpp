@@ -3,6 +3,7 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -70,7 +71,10 @@ int draw(WalkCommand& command, Stage& stage) {
 int run(WalkCommand& command) {
     prepare_json(command.options.json);
     const tbb::global_control limit = worker_limit(command.options);
+    const auto start = std::chrono::steady_clock::now();
     Stage stage = make_stage(command.options.scene, command.options.seed, command.options.origin);
+    command.render.generating_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return command.no_render ? simulate(command, stage) : draw(command, stage);
 }
 

@@ -35,7 +35,9 @@ struct DeviceInfo {
     std::string renderer;
     std::string version;
     std::string shading_language;
-    bool software = false;  ///< a rasteriser on the CPU
+    bool software = false;                 ///< a rasteriser on the CPU
+    bool block_compression = false;        ///< textures had better be block-compressed
+    std::string block_compression_reason;  ///< why, or why not
     std::vector<DeviceFeature> features;
     std::vector<DeviceLimit> limits;
 };

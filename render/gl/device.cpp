@@ -37,6 +37,24 @@ constexpr std::array k_optional_extensions{"GL_ARB_indirect_parameters",
                                            "GL_ARB_bindless_texture",
                                            "GL_ARB_sparse_texture"};
 
+// RGTC, for one and two channels, is part of OpenGL.
+constexpr std::array k_block_extensions{"GL_EXT_texture_compression_s3tc", "GL_EXT_texture_sRGB"};
+
+void choose_compression(DeviceInfo& info) {
+    const auto missing = std::find_if_not(k_block_extensions.begin(), k_block_extensions.end(),
+                                          [](const char* name) { return epoxy_has_gl_extension(name); });
+    if (info.software) {
+        info.block_compression_reason =
+            "a rasteriser on the CPU decodes blocks anew for every sample, which takes two to three times as "
+            "long";
+    } else if (missing != k_block_extensions.end()) {
+        info.block_compression_reason = std::string{*missing} + " is missing";
+    } else {
+        info.block_compression = true;
+        info.block_compression_reason = "a fourth of the memory and of the bandwidth, or less";
+    }
+}
+
 struct RequiredLimit {
     const char* name;
     GLenum what;
@@ -68,6 +86,7 @@ DeviceInfo describe_device() {
     info.version = text_of(GL_VERSION);
     info.shading_language = text_of(GL_SHADING_LANGUAGE_VERSION);
     info.software = is_software(info.renderer);
+    choose_compression(info);
     const int version = epoxy_gl_version();
     info.features.push_back({.name = "OpenGL 4.5 core profile", .present = version >= 45, .required = true});
     info.features.push_back(

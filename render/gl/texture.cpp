@@ -39,12 +39,31 @@ std::uint32_t bytes_per_texel(GLenum format) {
     }
 }
 
-std::uint64_t storage_bytes(const TextureDesc& desc) {
-    std::uint64_t texels = 0;
-    for (std::uint32_t level = 0; level < desc.levels; ++level) {
-        texels += std::uint64_t{std::max(desc.size.x >> level, 1u)} * std::max(desc.size.y >> level, 1u);
+std::uint32_t bytes_per_block(GLenum format) {
+    switch (format) {
+        case GL_COMPRESSED_RGB_S3TC_DXT1_EXT:
+        case GL_COMPRESSED_SRGB_S3TC_DXT1_EXT:
+        case GL_COMPRESSED_RED_RGTC1:
+            return 8;
+        case GL_COMPRESSED_RGBA_S3TC_DXT5_EXT:
+        case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT:
+        case GL_COMPRESSED_RG_RGTC2:
+            return 16;
+        default:
+            return 0;
     }
-    return texels * desc.layers * bytes_per_texel(desc.format);
+}
+
+std::uint64_t storage_bytes(const TextureDesc& desc) {
+    constexpr std::uint32_t k_block_side = 4;
+    const std::uint32_t block_bytes = bytes_per_block(desc.format);
+    std::uint64_t units = 0;  // blocks, or else texels
+    for (std::uint32_t level = 0; level < desc.levels; ++level) {
+        glm::uvec2 size{std::max(desc.size.x >> level, 1u), std::max(desc.size.y >> level, 1u)};
+        if (block_bytes > 0) size = (size + k_block_side - 1u) / k_block_side;
+        units += std::uint64_t{size.x} * size.y;
+    }
+    return units * desc.layers * (block_bytes > 0 ? block_bytes : bytes_per_texel(desc.format));
 }
 
 std::uint32_t full_levels(glm::uvec2 size) {

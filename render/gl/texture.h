@@ -28,6 +28,8 @@ struct TextureDesc {
 
 /// Bytes of one texel of an uncompressed sized format; asserts on formats that the renderer does not use.
 [[nodiscard]] std::uint32_t bytes_per_texel(GLenum format);
+/// Bytes of one block of 4×4 texels of a block-compressed format; 0 for all other formats.
+[[nodiscard]] std::uint32_t bytes_per_block(GLenum format);
 /// Bytes of all levels and layers.
 [[nodiscard]] std::uint64_t storage_bytes(const TextureDesc& desc);
 /// Levels of a full mip chain.

@@ -27,10 +27,17 @@ vec3 interpolated_normal() {
 }
 
 #if DETAIL
+/// In tangent space. Two-channel textures leave z out: normals are of unit length and point outwards.
+vec3 sample_normal(Material m) {
+    vec3 t = texture(normal_texture, varyings.normal_uv).xyz * 2.0 - 1.0;
+    if ((m.flags & k_material_normal_z_is_missing) != 0u) t.z = sqrt(max(0.0, 1.0 - dot(t.xy, t.xy)));
+    return t;
+}
+
 /// glTF 2.0, 3.9.3: the texture's xy scaled, then rotated into the frame (T, B = w·(N×T), N). The frame of a
 /// back face turns with its normal. Degenerate tangents leave the normal as it is.
 vec3 mapped_normal(Material m, vec3 normal) {
-    vec3 t = texture(normal_texture, varyings.normal_uv).xyz * 2.0 - 1.0;
+    vec3 t = sample_normal(m);
     t.xy *= m.normal_scale;
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 across = varyings.tangent.xyz - normal * dot(normal, varyings.tangent.xyz);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "assets/image.h"
 #include "assets/scene.h"
 #include "render/render_thread.h"
+#include "support/quick_process.h"
 
 namespace rambla::tests {
 
@@ -142,7 +144,7 @@ public:
             options.compile_ahead = false;
             thread_ = std::make_unique<render::RenderThread>(options);
         }
-        thread_->upload(std::make_shared<assets::Scene>(scene));
+        thread_->upload(std::make_shared<assets::Scene>(scene), process(scene));
         render::FrameInput& input = thread_->begin();
         pack();
         input.frame = frame;
@@ -158,6 +160,8 @@ public:
     systems::Frame frame;  ///< environment, lights and view are the test's; queues are filled by draw()
     render::Settings settings;
     glm::vec3 eye{0.0f};
+    std::function<std::shared_ptr<const assets::ProcessedScene>(const assets::Scene&)> process =
+        quick_process;
 
 private:
     void pack() {

@@ -11,6 +11,7 @@ SHARED_BEGIN
 SHARED_CONSTANT k_material_unlit = 1u;
 SHARED_CONSTANT k_material_double_sided = 2u;
 SHARED_CONSTANT k_material_has_normal_texture = 4u;
+SHARED_CONSTANT k_material_normal_z_is_missing = 8u;
 
 // uv' = (dot(row0.xy, uv) + row0.z, dot(row1.xy, uv) + row1.z)
 struct UvTransform {

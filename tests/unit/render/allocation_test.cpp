@@ -2,6 +2,7 @@
 
 #include "render/renderer.h"
 #include "support/allocation_counter.h"
+#include "support/quick_process.h"
 
 namespace rambla::render {
 namespace {
@@ -50,7 +51,8 @@ TEST(Renderer, AllocatesNothingInASteadyFrame) {
     RenderThreadOptions options;
     options.compile_ahead = false;
     Renderer renderer{options};
-    renderer.upload(one_mesh());
+    const assets::Scene scene = one_mesh();
+    renderer.upload(scene, *tests::quick_process(scene));
     const FrameInput input = one_triangle();
     std::vector<FrameOutput> outputs;
     std::size_t last = 1;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "render/renderer.h"
+#include "support/quick_process.h"
 
 namespace rambla::render {
 namespace {
@@ -81,7 +82,7 @@ TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
     };
     const assets::Scene scene = all_kinds();
     Renderer renderer{options};
-    renderer.upload(scene);
+    renderer.upload(scene, *tests::quick_process(scene));
     const int compiled = *texts;
     EXPECT_GT(compiled, 0);
 

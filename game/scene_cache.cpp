@@ -1,0 +1,55 @@
+#include "game/scene_cache.h"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+#include "assets/cache/cached_process.h"
+
+namespace rambla::game {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path path_from(const char* variable) {
+    const char* const value = std::getenv(variable);
+    return value != nullptr ? value : "";
+}
+
+assets::ProcessParameters parameters_for(const render::DeviceInfo& device) {
+    assets::ProcessParameters parameters;
+    if (!device.block_compression) parameters.textures.compression = assets::Compression::off;
+    return parameters;
+}
+
+}  // namespace
+
+fs::path cache_folder() {
+    if (fs::path own = path_from("RAMBLA_CACHE_DIR"); !own.empty()) return own;
+    // XDG Base Directory Specification 0.8: relative paths are invalid and to be ignored.
+    if (const fs::path caches = path_from("XDG_CACHE_HOME"); caches.is_absolute()) return caches / "rambla";
+    if (const fs::path home = path_from("HOME"); !home.empty()) return home / ".cache" / "rambla";
+    std::error_code failure;
+    const fs::path temporary = fs::temp_directory_path(failure);
+    return (failure ? fs::path{"/tmp"} : temporary) / fmt::format("rambla-cache-{}", ::getuid());
+}
+
+PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo& device) {
+    const fs::path folder = cache_folder();
+    assets::Cache cache{folder, k_cache_limit_bytes};
+    assets::CachedProcess result = assets::process_cached(scene, parameters_for(device), cache);
+    spdlog::debug("Cache {}: {} hits in {:.0f} ms, {} misses in {:.0f} ms", folder.string(), result.loaded,
+                  result.loading_ms, result.processed, result.processing_ms);
+    return {.scene = std::make_shared<const assets::ProcessedScene>(std::move(result.scene)),
+            .cache_hits = result.loaded,
+            .cache_misses = result.processed,
+            .loading_ms = result.loading_ms,
+            .processing_ms = result.processing_ms};
+}
+
+}  // namespace rambla::game

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "assets/processed.h"
+#include "assets/scene.h"
+#include "render/gl/context.h"
+
+namespace rambla::game {
+
+/// Processed scenes may take so much of a user's disk.
+inline constexpr std::uint64_t k_cache_limit_bytes = std::uint64_t{2} << 30;
+
+/// Where processed scenes are kept: $RAMBLA_CACHE_DIR, else rambla in $XDG_CACHE_HOME, else in ~/.cache, else
+/// a folder of the user's own among the temporary files.
+[[nodiscard]] std::filesystem::path cache_folder();
+
+/// A scene as a device draws it, and what it took to get it.
+struct PreparedScene {
+    std::shared_ptr<const assets::ProcessedScene> scene;
+    std::uint32_t cache_hits = 0;    ///< meshes and textures that an earlier start had made
+    std::uint32_t cache_misses = 0;  ///< those made now
+    double loading_ms = 0.0;
+    double processing_ms = 0.0;
+};
+
+/// Takes from the cache what is there and makes the rest, with textures as suits the device.
+[[nodiscard]] PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo& device);
+
+}  // namespace rambla::game
