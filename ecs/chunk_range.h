@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iterator>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "ecs/chunk.h"
@@ -97,15 +98,14 @@ class ChunkRange {
 public:
     using Match = QueryMatch<ChunkType>;
 
-    using Rare = std::conditional_t<Filters::k_needs_sparse, detail::RareRows::Walk, detail::NoRows>;
+    using Rare = std::conditional_t<Filters::k_needs_sparse, detail::RareRows, detail::NoRows>;
 
-    ChunkRange(const World& world, const std::vector<Match>& matches, const detail::Walk& walk,
-               const Rare& rare)
+    ChunkRange(const World& world, const std::vector<Match>& matches, const detail::Walk& walk, Rare rare)
         : mark_{world, &matches},
           first_{matches.data()},
           last_{first_ + matches.size()},
           walk_{walk},
-          rare_{rare} {}
+          rare_{std::move(rare)} {}
 
     class Iterator {
     public:
@@ -113,8 +113,10 @@ public:
         using difference_type = std::ptrdiff_t;
         using iterator_concept = std::input_iterator_tag;
 
-        Iterator(const Match* first, const Match* last, const detail::Walk& walk, const Rare& rare)
-            : first_{first}, match_{first}, last_{last}, walk_{walk}, rare_{rare} {
+        Iterator(const Match* first, const Match* last, const detail::Walk& walk,
+                 [[maybe_unused]] const Rare& rare)
+            : first_{first}, match_{first}, last_{last}, walk_{walk} {
+            if constexpr (Filters::k_needs_sparse) rare_ = rare.walk();
             settle();
         }
         ChunkType operator*() const {
@@ -181,7 +183,9 @@ public:
         const Match* match_;
         const Match* last_;
         detail::Walk walk_;
-        [[no_unique_address]] Rare rare_;
+        [[no_unique_address]] std::conditional_t<Filters::k_needs_sparse, detail::RareRows::Walk,
+                                                 detail::NoRows>
+            rare_;
         std::uint32_t chunk_ = 0;
         [[no_unique_address]] std::conditional_t<Filters::k_rows, RowMask, detail::NoRows> rows_;
     };

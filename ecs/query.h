@@ -29,8 +29,9 @@ namespace rambla::ecs {
 /// Disabled tell rows apart, chunks are FilteredChunks: only the rows in their rows() match.
 ///
 /// Keeps the list of matching archetypes, extended only when an archetype is born: make one and use it again.
-/// A query belongs to one thread and must outlive walks over its chunks. It may serve several worlds in turn,
-/// but remembers only the last.
+/// A query must outlive walks over its chunks. It belongs to one thread; but between find_archetypes() and
+/// the birth of an archetype, any number of threads may walk or count at once if its terms only read. It may
+/// serve several worlds in turn, but remembers only the last.
 template <class... Terms>
 class Query {
     static_assert(detail::k_all_differ<typename detail::Term<Terms>::Part...>,
@@ -48,9 +49,16 @@ public:
     /// With Changed terms, walks need to know since when.
     static constexpr bool k_asks_changes = Filters::k_chunks;
 
+    /// Extends the list of matching archetypes by those born since. Walks do so too; after this, they write
+    /// nothing in the query until another archetype is born.
+    void find_archetypes(const World& world) {
+        if (world.serial_ == world_serial_ && world.graph_.size() == seen_) return;
+        extend(world);
+    }
+
     /// The chunks with all matching rows, none empty. Where few entities have a sparse component that the
     /// terms need, the walk goes from one of them to the next instead of over all rows. Does not allocate
-    /// unless archetypes were born since, or more entities have such a component than ever.
+    /// unless archetypes were born since, or a walk over few is the longest that this thread made.
     [[nodiscard]] Range chunks(World& world) & requires(!k_asks_changes) { return walk(world, {}); }
     [[nodiscard]] Range chunks(const World& world) & requires(k_read_only && !k_asks_changes) {
         return walk(world, {});
@@ -103,7 +111,7 @@ private:
 
     typename Range::Rare rare_walk([[maybe_unused]] const World& world) {
         if constexpr (Filters::k_needs_sparse) {
-            return rare_rows_.walk(Filters::rarest(world.graph_), world.entities_, std::span{matches_});
+            return {Filters::rarest(world.graph_), world.entities_, std::span{matches_}};
         } else {
             return {};
         }
@@ -124,8 +132,7 @@ private:
 
     void refresh(const World& world) {
         (detail::check_term<Terms>(world), ...);
-        if (world.serial_ == world_serial_ && world.graph_.size() == seen_) return;
-        extend(world);
+        find_archetypes(world);
     }
 
     void extend(const World& world) {
@@ -175,8 +182,6 @@ private:
     }
 
     std::vector<Match> matches_;
-    [[no_unique_address]] std::conditional_t<Filters::k_needs_sparse, detail::RareRows, detail::NoRows>
-        rare_rows_;
     std::size_t seen_ = 0;  ///< archetypes looked at
     std::uint64_t world_serial_ = 0;
 };

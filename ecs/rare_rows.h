@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -39,28 +40,34 @@ public:
         const Row* last = nullptr;
     };
 
-    /// A walk over the rows of all who are in `rarest` (null: nobody), unless there are so many that a walk
-    /// over all rows is sooner done.
-    ///
-    /// A second walk while the first is under way finds the same rows, as nothing comes or goes meanwhile,
-    /// and puts them where they are already: the first goes on undisturbed.
+    /// Finds the rows of all who are in `rarest` (null: nobody), unless there are so many that a walk over
+    /// all rows is sooner done. The rows are this object's own: walks of other threads, or inside of this
+    /// one, find theirs.
     /// @param matches  in the order of archetypes' birth; have an `archetype`
     template <class Match>
-    Walk walk(const SparseSet* rarest, const EntityTable& entities, std::span<Match> matches) {
+    RareRows(const SparseSet* rarest, const EntityTable& entities, std::span<Match> matches) {
         const std::size_t holders = rarest == nullptr ? 0 : rarest->size();
         std::size_t rows = 0;
         for (const Match& match : matches)
             rows += match.archetype->rows();
-        if (holders * k_rows_per_holder > rows) return {};
-        rows_.clear();
+        if (holders * k_rows_per_holder > rows) return;
+        list_ = borrow();
+        std::vector<Row>& found = list_->rows;
+        found.clear();
         for (std::size_t i = 0; i < holders; ++i) {
             const EntityRecord& record = *entities.find(rarest->entities()[i]);
             const auto match = std::ranges::lower_bound(matches, record.archetype, {}, index_of<Match>);
             if (match != matches.end() && index_of(*match) == record.archetype)
-                rows_.push_back({static_cast<std::uint32_t>(match - matches.begin()), record.row});
+                found.push_back({static_cast<std::uint32_t>(match - matches.begin()), record.row});
         }
-        std::ranges::sort(rows_);
-        return {true, rows_.data(), rows_.data() + rows_.size()};
+        std::ranges::sort(found);
+    }
+
+    /// From the first row on; valid as long as this object.
+    [[nodiscard]] Walk walk() const {
+        if (list_ == nullptr) return {};
+        const std::vector<Row>& rows = list_->rows;
+        return {true, rows.data(), rows.data() + rows.size()};
     }
 
     /// Takes the rows of the next chunk off a walk that is not at its end.
@@ -80,7 +87,22 @@ private:
         return match.archetype->index();
     }
 
-    std::vector<Row> rows_;
+    struct List {
+        std::vector<Row> rows;
+        std::unique_ptr<List> next;
+    };
+    struct GiveBack {
+        void operator()(List* list) const noexcept;
+    };
+    using Lent = std::unique_ptr<List, GiveBack>;
+
+    /// A list that this thread keeps for its walks, so that they do not allocate; a new one if all are lent.
+    static Lent borrow();
+
+    /// Those that this thread keeps, the last given back first.
+    static thread_local std::unique_ptr<List> spare_;
+
+    Lent list_;  ///< null: all rows come into question
 };
 
 }  // namespace rambla::ecs::detail

@@ -16,7 +16,8 @@ namespace rambla::ecs {
 
 /// System parameter: a query of the schedule's world, in the terms of Query. Declares what its terms read and
 /// write. Changed terms mean: in the last run in which this system ran, or since; so no write is missed, and
-/// those of that same run that came before may be seen twice.
+/// those of that same run that came before may be seen twice. A system's jobs may walk and count its views
+/// side by side (chunks, each, count) if the terms only read and the system itself makes no archetypes.
 ///     schedule.add("move", [](View<Position, const Velocity> moving) {
 ///         moving.for_each_chunk([](const auto& chunk) {
 ///             chunk.each([](Position& p, const Velocity& v) { p.x += v.x; });
@@ -140,6 +141,7 @@ struct Parameter<View<Terms...>> : PlainParameter {
             state.until = world.version() - k_before_all_versions;
         }
         state.since.version = std::exchange(state.until, world.version() - 1);
+        state.query.find_archetypes(world);
         return {state, context};
     }
 

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include "ecs/query.h"
+#include "ecs/schedule.h"
+#include "ecs/view.h"
 #include "ecs/world_access.h"
 #include "support/allocation_counter.h"
 #include "unit/ecs/parts.h"
@@ -153,6 +156,40 @@ TEST(RareRows, OfOneQueryMayBeWalkedOverInsideOfItsOwnWalk) {
     });
     EXPECT_EQ(outer, fire.asked(Query<Entity>{}));
     EXPECT_EQ(inner, 50u * 50u);
+}
+
+TEST(RareRows, AreReadByJobsOfASystemSideBySide) {
+    Fire fire{20'000, 100};
+    std::atomic<int> jobs{0}, wrong{0};
+    std::vector<Entity> expected;
+    Schedule schedule{{.threads = 8}};
+    schedule.add("look", [&](View<const Health> all, View<Entity, const Burning> rare) {
+        all.for_each_chunk([&](const auto&) {
+            ++jobs;
+            std::size_t inside = 0;
+            for (int again = 0; again < 20; ++again) {
+                std::size_t next = 0, strangers = 0;
+                rare.each([&](Entity entity, const Burning&) {
+                    if (next >= expected.size() || expected[next] != entity) ++strangers;
+                    if (next++ == 10) inside += rare.count();
+                });
+                if (strangers != 0 || next != expected.size() || rare.count() != next) ++wrong;
+            }
+            if (inside != 20 * expected.size()) ++wrong;
+        });
+    });
+    const auto run = [&] {
+        expected = fire.asked(Query<Entity>{});
+        schedule.run(fire.world);
+    };
+    for (int i = 0; i < 10; ++i)
+        run();
+    fire.world.create(Burning{});  // of an archetype that the view has not seen
+    for (int i = 0; i < 3; ++i)
+        run();
+    EXPECT_EQ(expected.size(), 101u);
+    EXPECT_GE(jobs, 13 * 20);
+    EXPECT_EQ(wrong, 0);
 }
 
 TEST(RareRows, FollowRowsThatMoveAndWorldsInTurn) {
