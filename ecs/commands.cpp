@@ -21,6 +21,11 @@ Entity Commands::created(Entity placeholder) const {
     return created_[placeholder.index];
 }
 
+std::size_t Commands::memory_bytes() const {
+    return arena_.memory_bytes() + commands_.capacity() * sizeof(detail::Command) +
+           created_.capacity() * sizeof(Entity);
+}
+
 void Commands::forget_from(std::size_t first) noexcept {
     for (std::size_t i = first; i < commands_.size(); ++i) {
         const detail::Command& command = commands_[i];

@@ -104,6 +104,9 @@ public:
     /// Number of commands recorded; one for all entities counts as one.
     [[nodiscard]] std::size_t size() const { return commands_.size(); }
 
+    /// Memory held, without what values recorded own.
+    [[nodiscard]] std::size_t memory_bytes() const;
+
     /// The entity that the last apply() made for a placeholder. Throws Misuse if there is none.
     [[nodiscard]] Entity created(Entity placeholder) const;
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ecs/access_scope.h"
+#include "ecs/iteration.h"
 #include "ecs/misuse.h"
 
 namespace rambla::ecs {
@@ -56,13 +57,20 @@ Ancestors::Iterator& Ancestors::Iterator::operator++() {
 }
 
 void Hierarchy::update() {
-    if (nodes_.update(world_, since_)) {
+    if (nodes_.update(world_, since_)) note_lost();
+    if (!detail::AccessScope::shares(world_)) world_.advance_version();
+    since_ = world_.version();
+}
+
+void Hierarchy::note_lost() {
+    try {
         for (const std::uint32_t node : nodes_.changes().relinked) {
             if (nodes_[node].kind == HierarchyNodes::Kind::lost) orphans_.push_back(nodes_[node].entity);
         }
+    } catch (...) {  // those left out have to be found again
+        nodes_.forget();
+        throw;
     }
-    if (!detail::AccessScope::shares(world_)) world_.advance_version();
-    since_ = world_.version();
 }
 
 Hierarchy::Children Hierarchy::children(Entity entity) const {
@@ -97,7 +105,9 @@ void Hierarchy::set_parent(Entity child, Entity parent, OnParentEnd on_end) {
 }
 
 std::size_t Hierarchy::destroy(Entity entity) {
-    if (!world_.alive(entity)) detail::throw_not_alive("Hierarchy::destroy", {}, entity);
+    constexpr std::string_view k_operation = "Hierarchy::destroy";
+    detail::IterationMark::forbid(world_, k_operation);  // before the recording that is played is touched
+    if (!world_.alive(entity)) detail::throw_not_alive(k_operation, {}, entity);
     begin_collecting();
     ending_.push_back(entity);
     if (const std::uint32_t node = nodes_.find(entity); node != HierarchyNodes::k_none) {
@@ -108,6 +118,7 @@ std::size_t Hierarchy::destroy(Entity entity) {
 }
 
 std::size_t Hierarchy::end_orphans() {
+    detail::IterationMark::forbid(world_, "Hierarchy::end_orphans");
     collect_orphans();
     return carry_out();
 }
@@ -135,7 +146,7 @@ void Hierarchy::record_orphans(Commands& commands) {
 }
 
 std::size_t Hierarchy::memory_bytes() const {
-    return nodes_.memory_bytes() +
+    return nodes_.memory_bytes() + commands_.memory_bytes() +
            (orphans_.capacity() + ending_.capacity() + freed_.capacity()) * sizeof(Entity) +
            stack_.capacity() * sizeof(std::uint32_t);
 }

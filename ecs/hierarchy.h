@@ -114,9 +114,10 @@ public:
     void set_parent(Entity child, Entity parent, OnParentEnd on_end = OnParentEnd::destroyed);
 
     /// Ends an entity, and destroys or frees what hangs from it as the Parent components say. Throws Misuse
-    /// on a stale handle. Returns how many entities ended.
+    /// on a stale handle, and where World::destroy does. Returns how many entities ended.
     std::size_t destroy(Entity entity);
-    /// Does the same for entities whose parent has ended by other ways. Returns how many ended.
+    /// Does the same for entities whose parent has ended by other ways. Returns how many ended. Throws
+    /// Misuse where World::destroy does.
     std::size_t end_orphans();
     /// Plays commands, then ends the orphans that they left.
     Playback apply(Commands& commands);
@@ -126,7 +127,8 @@ public:
     /// playback as a whole) has ended entities, what hangs from them, however deep, is destroyed or freed by
     /// one more playback, together with what observers recorded, before the call returns. What counts are the
     /// Parent components as that change left them; those that name an entity that ended earlier count with
-    /// the next change that ends one. So they do after an exception.
+    /// the next change that ends one. So they do after an exception: when memory runs out, the entity that
+    /// was to end has ended, and the next end, or end_orphans(), ends what hangs from it.
     ///
     /// Worlds where this is never called pay nothing. Others pay for every change that ends entities what
     /// update() costs, so end many by Commands, not one by one; and what worlds with observers do. Throws
@@ -141,6 +143,7 @@ private:
 
     /// Records the end of all orphans, for an observer's playback.
     void record_orphans(Commands& commands);
+    void note_lost();
     [[nodiscard]] bool is_orphan(Entity entity) const;
     void collect_orphans();
     void begin_collecting();

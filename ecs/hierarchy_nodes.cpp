@@ -15,13 +15,25 @@ std::uint32_t chunks_of(const Archetype& archetype) {
 
 bool HierarchyNodes::update(World& world, std::uint32_t since) {
     world_ = &world;
-    changes_.relinked.clear();
-    changes_.moved.clear();
-    changes_.segments.clear();
-    const bool another = detail::WorldAccess::serial(world) != world_serial_;
-    if (another) forget();
+    try {
+        follow(since);
+    } catch (...) {  // links half made help nobody, and who was found lost must be found again
+        forget();
+        throw;
+    }
+    return changes_found();
+}
+
+void HierarchyNodes::follow(std::uint32_t since) {
+    clear_changes();
+    const std::uint64_t serial = detail::WorldAccess::serial(*world_);
+    if (serial != world_serial_) {
+        forget();
+        changes_.anew = true;
+        world_serial_ = serial;
+    }
     match_archetypes();
-    find_changed_chunks(since, another);
+    find_changed_chunks(since, changes_.anew);
     if (!outside_.empty() && rows_changed_anywhere(since)) release_dead_outsiders();
     // All rows that went are forgotten before any that came is read: rows move between chunks.
     for (const auto& [chunk, column] : changed_chunks_)
@@ -29,7 +41,6 @@ bool HierarchyNodes::update(World& world, std::uint32_t since) {
     for (const auto& [chunk, column] : changed_chunks_)
         read_rows(chunk, column);
     settle_homeless();
-    return changes_found();
 }
 
 std::uint32_t HierarchyNodes::find(Entity entity) const {
@@ -51,7 +62,15 @@ std::size_t HierarchyNodes::memory_bytes() const {
     return bytes;
 }
 
-void HierarchyNodes::forget() {
+void HierarchyNodes::clear_changes() noexcept {
+    changes_.anew = false;
+    changes_.relinked.clear();
+    changes_.moved.clear();
+    changes_.segments.clear();
+}
+
+void HierarchyNodes::forget() noexcept {
+    world_serial_ = 0;
     archetypes_seen_ = 0;
     matches_.clear();
     chunks_.clear();
@@ -61,7 +80,8 @@ void HierarchyNodes::forget() {
     free_nodes_.clear();
     outside_.clear();
     free_outside_slots_.clear();
-    world_serial_ = detail::WorldAccess::serial(*world_);
+    homeless_.clear();
+    clear_changes();
 }
 
 void HierarchyNodes::match_archetypes() {

@@ -52,6 +52,8 @@ public:
 
     /// What the last update() found.
     struct Changes {
+        bool anew =
+            false;  ///< nodes known before are forgotten: those that there are now are all in `relinked`
         std::vector<std::uint32_t> relinked;  ///< nodes that are new or hang from another one now
         std::vector<std::uint32_t> moved;     ///< nodes whose slot changed
         std::vector<std::uint32_t> segments;  ///< `segment` of nodes that are gone
@@ -61,9 +63,13 @@ public:
     explicit HierarchyNodes(std::vector<const ComponentInfo*> required) : required_{std::move(required)} {}
 
     /// Follows the world. Returns whether anything changed. Looks at two versions per chunk, then only at
-    /// changed chunks; allocates nothing when there are none.
+    /// changed chunks; allocates nothing when there are none. Reads all of a world that is another one than
+    /// before. After an exception nothing is known, and the next call reads everything.
     /// @param since  version from which on writes may not have been seen
     bool update(World& world, std::uint32_t since);
+    /// Forgets everything: the next update() reads the whole world, and finds who is lost again. For users
+    /// that could not take in what update() found.
+    void forget() noexcept;
 
     [[nodiscard]] std::span<const Chunk> chunks() const { return chunks_; }
     [[nodiscard]] Node& operator[](std::uint32_t node) { return nodes_[node]; }
@@ -73,7 +79,8 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> outside() const { return outside_; }
     [[nodiscard]] const Changes& changes() const { return changes_; }
     [[nodiscard]] bool changes_found() const {
-        return !changes_.relinked.empty() || !changes_.moved.empty() || !changes_.segments.empty();
+        return changes_.anew || !changes_.relinked.empty() || !changes_.moved.empty() ||
+               !changes_.segments.empty();
     }
     /// Whether a node hangs from a member.
     [[nodiscard]] bool hangs(std::uint32_t node) const {
@@ -88,7 +95,8 @@ private:
         std::vector<std::uint32_t> chunks;  ///< numbers
     };
 
-    void forget();
+    void follow(std::uint32_t since);
+    void clear_changes() noexcept;
     void match_archetypes();
     void find_changed_chunks(std::uint32_t since, bool all);
     [[nodiscard]] static std::uint32_t links_version(const Match& match, std::uint32_t chunk);
@@ -114,7 +122,7 @@ private:
 
     World* world_ = nullptr;  ///< during update()
     std::vector<const ComponentInfo*> required_;
-    std::uint64_t world_serial_ = 0;
+    std::uint64_t world_serial_ = 0;  ///< 0: nothing is known
     std::size_t archetypes_seen_ = 0;
     std::vector<Match> matches_;
     std::vector<Chunk> chunks_;

@@ -15,6 +15,7 @@ constexpr std::size_t k_smallest_segment = HierarchyOrder::k_segment / 4;
 }  // namespace
 
 void HierarchyOrder::update(HierarchyNodes& nodes) {
+    if (nodes.changes().anew) *this = {};
     fresh_.clear();
     take_out_changed(nodes);
     find_new_places(nodes);

@@ -317,6 +317,8 @@ std::size_t Observers::size() const {
 std::size_t Observers::memory_bytes() const {
     std::size_t bytes = sizeof(Observers) + observed_.capacity() * sizeof(Observed) +
                         announced_.capacity() * sizeof(Entity) + followers_.capacity() * sizeof(Hierarchy*);
+    for (const Commands& recording : recordings_)
+        bytes += recording.memory_bytes();
     for (const Observed& observed : observed_) {
         for (const std::vector<Observer>& observers : observed.by_moment)
             bytes += observers.capacity() * sizeof(Observer);

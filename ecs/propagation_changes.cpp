@@ -16,13 +16,22 @@ constexpr std::uint8_t k_not_all = 2;
 }  // namespace
 
 void PropagationChanges::update(World& world) {
-    if (nodes_.update(world, since_)) order_.update(nodes_);
-    const std::span<const HierarchyNodes::Chunk> chunks = nodes_.chunks();
-    if (chunks_.size() != chunks.size()) {
-        chunks_.resize(chunks.size());
-        written_.resize(chunks.size());
-        states_.resize(chunks.size() * k_chunk_rows);
+    try {
+        if (nodes_.update(world, since_)) order_.update(nodes_);
+    } catch (...) {  // an order that is half made anew is made from nothing the next time
+        nodes_.forget();
+        throw;
     }
+    if (nodes_.changes().anew) {  // what was known of slots was of other rows
+        chunks_.clear();
+        written_.clear();
+        states_.clear();
+        unfinished_ = true;
+    }
+    const std::span<const HierarchyNodes::Chunk> chunks = nodes_.chunks();
+    chunks_.resize(chunks.size());
+    written_.resize(chunks.size());
+    states_.resize(chunks.size() * k_chunk_rows);
     const ArchetypeGraph& graph = WorldAccess::graph(world);
     const bool all = std::exchange(unfinished_, true);
     any_ = false;

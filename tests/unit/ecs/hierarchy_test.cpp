@@ -351,5 +351,33 @@ TEST(HierarchyAndObservers, WhatAnObserverEndedIsNotEndedTwice) {
         EXPECT_FALSE(world.alive(entity));
 }
 
+TEST(HierarchyAndObservers, AnObserverCannotEndTreesOfItsOwnMeanwhile) {
+    World world;
+    Hierarchy hierarchy{world};
+    const Entity root = world.create(Health{1}), other = world.create();
+    for (int i = 0; i < 100; ++i)
+        world.create(Health{2}, Parent{root, i % 2 == 0 ? OnParentEnd::destroyed : OnParentEnd::freed});
+    for (int i = 0; i < 3000; ++i)
+        world.create(Parent{other});
+    std::vector<std::string> refusals;
+    const auto refuse = [&](const auto& call) {
+        try {
+            call();
+        } catch (const Misuse& misuse) {
+            refusals.emplace_back(misuse.what());
+        }
+    };
+    world.observers().on_remove<Health>([&](Entity entity, const Health&) {
+        if (entity != root) return;
+        refuse([&] { hierarchy.destroy(other); });
+        refuse([&] { hierarchy.end_orphans(); });
+    });
+    EXPECT_EQ(hierarchy.destroy(root), 51u);
+    ASSERT_EQ(refusals.size(), 2u);
+    EXPECT_NE(refusals[0].find("Hierarchy::destroy"), std::string::npos) << refusals[0];
+    EXPECT_NE(refusals[1].find("Hierarchy::end_orphans"), std::string::npos) << refusals[1];
+    EXPECT_EQ(world.entity_count(), 3051u);
+}
+
 }  // namespace
 }  // namespace rambla::ecs
