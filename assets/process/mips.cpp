@@ -12,13 +12,16 @@ namespace rambla::assets {
 
 namespace {
 
-/// Reads a picture's rows as light, weighted by alpha where colours are.
+/// Reads a picture's rows as light, weighted by alpha where colours are. Where alpha is tested it is there or
+/// not: the mean then is the share that passes, and a slope of alpha is cut at the same place in all levels.
 RowReader light_of(const Image& picture, const ColourMips& options) {
     return [&picture, options](std::uint32_t y, std::span<glm::vec4> row) {
         read_row(picture, options.colour_space, y, row);
         if (options.alpha == AlphaUse::ignored) return;
-        for (glm::vec4& texel : row)
+        for (glm::vec4& texel : row) {
+            if (options.alpha == AlphaUse::tested) texel.w = texel.w >= options.cutoff ? 1.0f : 0.0f;
             texel = {texel.w * glm::vec3{texel}, texel.w};
+        }
     };
 }
 

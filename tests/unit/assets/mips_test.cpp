@@ -157,6 +157,14 @@ double coverage_of(const Image& image, float cutoff) {
     return static_cast<double>(passing) / (image.width * image.height * k_side * k_side);
 }
 
+Image passing_or_not(Image image, float cutoff) {
+    for (std::size_t i = 3; i < image.texels.size(); i += 4) {
+        const bool passes = std::to_integer<int>(image.texels[i]) >= cutoff * 255.0f;
+        image.texels[i] = passes ? std::byte{255} : std::byte{0};
+    }
+    return image;
+}
+
 TEST(Mips, AlphaTestedPicturesLoseNoCoverage) {
     std::mt19937 random{21};
     std::uniform_real_distribution<float> unit{0.0f, 1.0f};
@@ -178,8 +186,8 @@ TEST(Mips, AlphaTestedPicturesLoseNoCoverage) {
         ASSERT_GT(wanted, 0.1);
         ASSERT_LT(wanted, 0.9);
         const auto levels = colour_mips(leaves, {.alpha = AlphaUse::tested, .cutoff = cutoff});
-        const auto means = colour_mips(leaves, {.alpha = AlphaUse::blended});
-        for (std::size_t i = 0; i < levels.size(); ++i) {
+        const auto means = colour_mips(passing_or_not(leaves, cutoff), {.alpha = AlphaUse::blended});
+        for (std::size_t i = 1; i < levels.size(); ++i) {
             if (levels[i].width * levels[i].height < 12) break;  // so few texels cannot show every share
             const double mean = coverage_of(means[i], cutoff);
             EXPECT_NEAR(coverage_of(levels[i], cutoff), std::max(wanted, mean), 0.01)
@@ -192,6 +200,26 @@ TEST(Mips, AlphaTestedPicturesLoseNoCoverage) {
     }
     EXPECT_GT(lost, 0.05) << "without it, the picture would not show the difference";
     EXPECT_GT(raised, 0);
+}
+
+TEST(Mips, ASlopeOfAlphaIsCutAtTheSamePlaceInAllLevels) {
+    // The lower half slopes; dots above, which coarser levels lose, must not move where it is cut.
+    const Image sloping = painted(256, 256, [](auto x, auto y) {
+        const bool dot = y < 64 && x % 4 == 0 && y % 4 == 0;
+        const int slope = y < 128 ? 0 : static_cast<int>(y - 128) * 2;
+        return Texel{90, 90, 90, dot ? 255 : slope};
+    });
+    for (const float cutoff : {0.25f, 0.5f, 0.75f}) {
+        const auto levels = colour_mips(sloping, {.alpha = AlphaUse::tested, .cutoff = cutoff});
+        for (const Image& level : levels) {
+            if (level.height < 8) break;  // a slope of a few texels
+            std::uint32_t first = level.height / 2;
+            while (channel(level, 1, first, 3) < cutoff * 255.0f)
+                ++first;
+            const float texel = 1.0f / static_cast<float>(level.height);
+            EXPECT_NEAR(static_cast<float>(first) * texel, 0.5f + 0.5f * cutoff, texel) << level.height;
+        }
+    }
 }
 
 TEST(Mips, ThinBarsBetweenBroadRailsAreNotLostForWhatTheRailsGain) {
