@@ -54,7 +54,7 @@ public:
           shaders_{ShaderFolder::of_build()},
           thread_{{.window = window_.context(), .shaders = shaders_.source(), .gl_errors_throw = false}} {
         hud_.walking = options.walking;
-        thread_.upload(stage.scene, prepare_scene(*stage.scene, thread_.device()).scene);
+        thread_.upload(stage.scene, prepare_scene(*stage.scene, thread_.device(), options.quiet).scene);
     }
 
     std::uint64_t run(const Update& update) {

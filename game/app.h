@@ -15,7 +15,8 @@ struct AppOptions {
     std::string title;
     glm::uvec2 size_px{960, 540};
     bool walking =
-        false;  ///< the pointer belongs to somebody's eyes, and the help names the keys for walking
+        false;           ///< the pointer belongs to somebody's eyes, and the help names the keys for walking
+    bool quiet = false;  ///< shows no progress on the terminal
     std::uint64_t frames = 0;  ///< ends after so many pictures; 0: when the user quits
 };
 

@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "assets/cache/cached_process.h"
+#include "game/progress.h"
 
 namespace rambla::game {
 
@@ -39,10 +41,16 @@ fs::path cache_folder() {
     return (failure ? fs::path{"/tmp"} : temporary) / fmt::format("rambla-cache-{}", ::getuid());
 }
 
-PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo& device) {
+PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo& device, bool quiet) {
     const fs::path folder = cache_folder();
     assets::Cache cache{folder, k_cache_limit_bytes};
-    assets::CachedProcess result = assets::process_cached(scene, parameters_for(device), cache);
+    std::optional<Progress> progress;
+    assets::CachedProcess result = assets::process_cached(
+        scene, parameters_for(device), cache, [&](std::uint32_t made, std::uint32_t missing) {
+            if (!progress) progress.emplace("Processing for the first time", missing, !quiet);
+            progress->update(made);
+        });
+    progress.reset();
     spdlog::debug("Cache {}: {} hits in {:.0f} ms, {} misses in {:.0f} ms", folder.string(), result.loaded,
                   result.loading_ms, result.processed, result.processing_ms);
     return {.scene = std::make_shared<const assets::ProcessedScene>(std::move(result.scene)),

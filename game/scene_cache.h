@@ -27,6 +27,8 @@ struct PreparedScene {
 };
 
 /// Takes from the cache what is there and makes the rest, with textures as suits the device.
-[[nodiscard]] PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo& device);
+/// @param quiet  shows no progress
+[[nodiscard]] PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo& device,
+                                          bool quiet);
 
 }  // namespace rambla::game

@@ -163,7 +163,7 @@ public:
 private:
     /// Waits until everything is drawn that the first frame needs, so that frames are measured alone.
     void upload() {
-        PreparedScene prepared = prepare_scene(*stage_.scene, thread_->device());
+        PreparedScene prepared = prepare_scene(*stage_.scene, thread_->device(), options_.quiet);
         const Clock::time_point start = Clock::now();
         thread_->upload(stage_.scene, std::move(prepared.scene));
         thread_->finish();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -118,7 +119,7 @@ public:
         out_.scene.meshes.resize(scene.meshes.size());
     }
 
-    CachedProcess operator()() {
+    CachedProcess operator()(const ProcessProgress& progress) {
         const Clock::time_point start = Clock::now();
         hash_all();
         tbb::parallel_for(std::size_t{0}, keys_.size(), [this](std::size_t i) { found_[i] = load(i); });
@@ -128,7 +129,14 @@ public:
         std::vector<std::size_t> missing;
         for (std::size_t i = 0; i < found_.size(); ++i)
             if (found_[i] == 0) missing.push_back(i);
-        tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) { make(missing[i]); });
+        std::mutex mutex;
+        std::uint32_t made = 0;
+        tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+            make(missing[i]);
+            const std::lock_guard lock{mutex};
+            ++made;
+            if (progress) progress(made, static_cast<std::uint32_t>(missing.size()));
+        });
         out_.processing_ms = ms_since(made_from);
 
         out_.processed = static_cast<std::uint32_t>(missing.size());
@@ -191,8 +199,9 @@ private:
 
 }  // namespace
 
-CachedProcess process_cached(const Scene& scene, const ProcessParameters& parameters, Cache& cache) {
-    return Run{scene, parameters, cache}();
+CachedProcess process_cached(const Scene& scene, const ProcessParameters& parameters, Cache& cache,
+                             const ProcessProgress& progress) {
+    return Run{scene, parameters, cache}(progress);
 }
 
 }  // namespace rambla::assets

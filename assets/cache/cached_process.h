@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "assets/cache/cache.h"
 #include "assets/process/process.h"
@@ -11,7 +12,7 @@ namespace rambla::assets {
 
 /// Part of every key. To be raised by one with each change of what processing makes of the same input, or of
 /// how payloads are laid out: what older code has kept is then not found any more.
-inline constexpr std::uint32_t k_processing_version = 1;
+inline constexpr std::uint32_t k_processing_version = 2;
 
 /// A processed scene, and where it came from.
 struct CachedProcess {
@@ -22,11 +23,14 @@ struct CachedProcess {
     double processing_ms = 0.0;   ///< wall time to make and to store the others
 };
 
+/// Is told after each result that had to be made, from one thread at a time.
+using ProcessProgress = std::function<void(std::uint32_t made, std::uint32_t missing)>;
+
 /// As process(), but what the cache holds of the same content, use and parameters is read from there, and
 /// everything else stored for next time. What is read and does not fit the scene is made anew. Side by side
 /// on oneTBB; the processed scene is the same for any number of threads and whatever the cache holds.
 /// @param scene  as for process()
 [[nodiscard]] CachedProcess process_cached(const Scene& scene, const ProcessParameters& parameters,
-                                           Cache& cache);
+                                           Cache& cache, const ProcessProgress& progress = {});
 
 }  // namespace rambla::assets

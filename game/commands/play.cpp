@@ -45,9 +45,13 @@ int run(const PlayCommand& command) {
     Stage stage = make_stage(command.options.scene, command.options.seed, command.options.origin);
     PlaySession session{stage};
     spdlog::info("F1 shows the keys, Esc quits");
-    const std::uint64_t frames = run_app(
-        {.title = "Rambla", .size_px = command.options.size_px, .walking = true, .frames = command.frames},
-        stage, command.options.settings, [&session](const Moment& moment) { return session.update(moment); });
+    const std::uint64_t frames = run_app({.title = "Rambla",
+                                          .size_px = command.options.size_px,
+                                          .walking = true,
+                                          .quiet = command.options.quiet,
+                                          .frames = command.frames},
+                                         stage, command.options.settings,
+                                         [&session](const Moment& moment) { return session.update(moment); });
     write_json(command.options.json, final_state(command, stage, session, frames));
     return k_done;
 }

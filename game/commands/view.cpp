@@ -110,7 +110,7 @@ int draw_picture(const ViewCommand& command, Stage& stage, systems::Eye eye,
     const bool linear = command.out.extension() == ".exr";
     eye.size_px = command.options.size_px;
     render::RenderThread thread{{.window = {}, .shaders = {}, .gl_errors_throw = false}};
-    thread.upload(stage.scene, prepare_scene(*stage.scene, thread.device()).scene);
+    thread.upload(stage.scene, prepare_scene(*stage.scene, thread.device(), command.options.quiet).scene);
     render::FrameInput& input = thread.begin();
     systems::build_frame(*stage.world, eye, 1.0f, input.frame);
     input.frame.capture = {.display = !linear, .linear = linear};
@@ -143,6 +143,7 @@ int show_window(const ViewCommand& command, Stage& stage, const systems::Eye& ey
         run_app({.title = "Rambla: " + command.file.filename().string(),
                  .size_px = command.options.size_px,
                  .walking = false,
+                 .quiet = command.options.quiet,
                  .frames = command.frames},
                 stage, settings, [&session](const Moment& moment) { return session.update(moment); });
     nlohmann::json json{{"schema", "rambla.view/1"}, {"file", command.file.string()}, {"frames", frames}};

@@ -72,8 +72,8 @@ TEST(SceneCache, KeepsScenesForDevicesWithAndWithoutBlockCompressionApart) {
     render::DeviceInfo blocks;
     blocks.block_compression = true;
     for (const std::uint32_t misses : {1u, 0u}) {
-        const PreparedScene for_plain = prepare_scene(scene, plain);
-        const PreparedScene for_blocks = prepare_scene(scene, blocks);
+        const PreparedScene for_plain = prepare_scene(scene, plain, true);
+        const PreparedScene for_blocks = prepare_scene(scene, blocks, true);
         EXPECT_EQ(for_plain.scene->images.at(0).format, assets::TexelFormat::rgba8);
         EXPECT_EQ(for_blocks.scene->images.at(0).format, assets::TexelFormat::bc1);
         EXPECT_EQ(for_plain.cache_misses, misses);
