@@ -14,6 +14,21 @@ enum class Interpolation : std::uint8_t {
 
 enum class AnimatedPath : std::uint8_t { translation, rotation, scale, weights };
 
+/// As glTF writes it.
+[[nodiscard]] constexpr const char* name_of(AnimatedPath path) {
+    switch (path) {
+        case AnimatedPath::rotation:
+            return "rotation";
+        case AnimatedPath::scale:
+            return "scale";
+        case AnimatedPath::weights:
+            return "weights";
+        case AnimatedPath::translation:
+            break;
+    }
+    return "translation";
+}
+
 /// One property of one node over time.
 struct Channel {
     std::uint32_t node = 0;

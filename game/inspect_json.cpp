@@ -129,20 +129,6 @@ const char* name_of(Interpolation interpolation) {
     return "linear";
 }
 
-const char* name_of(AnimatedPath path) {
-    switch (path) {
-        case AnimatedPath::rotation:
-            return "rotation";
-        case AnimatedPath::scale:
-            return "scale";
-        case AnimatedPath::weights:
-            return "weights";
-        case AnimatedPath::translation:
-            break;
-    }
-    return "translation";
-}
-
 Json clip_row(const Clip& clip) {
     std::set<std::uint32_t> nodes;
     std::set<std::string> interpolations;

@@ -18,20 +18,6 @@ const char* interpolation_name(Interpolation interpolation) {
     return "LINEAR";
 }
 
-const char* path_name(AnimatedPath path) {
-    switch (path) {
-        case AnimatedPath::rotation:
-            return "rotation";
-        case AnimatedPath::scale:
-            return "scale";
-        case AnimatedPath::weights:
-            return "weights";
-        case AnimatedPath::translation:
-            break;
-    }
-    return "translation";
-}
-
 /// Components of one element of the accessor: weights are scalars, one after the other.
 std::size_t components_of(const Channel& channel) {
     return channel.path == AnimatedPath::weights ? 1 : channel.width;
@@ -54,7 +40,7 @@ Json GltfAnimation::animation_of(const Clip& clip, const std::vector<bool>& has_
         if (channel.path == AnimatedPath::weights && !has_mesh[channel.node]) continue;
         Json& samplers = out["samplers"];
         out["channels"].push_back({{"sampler", samplers.size()},
-                                   {"target", {{"node", channel.node}, {"path", path_name(channel.path)}}}});
+                                   {"target", {{"node", channel.node}, {"path", name_of(channel.path)}}}});
         samplers.push_back({{"input", add_times(channel.times_s)},
                             {"output", add_values(channel)},
                             {"interpolation", interpolation_name(channel.interpolation)}});

@@ -3,15 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "assets/processed.h"
+#include "mesh_equality.h"
 
 namespace rambla::assets::test {
 
 // Each expects equality to the bit of all that the type has.
-
-inline void expect_equal(const Bounds& a, const Bounds& b) {
-    EXPECT_EQ(a.min, b.min);
-    EXPECT_EQ(a.max, b.max);
-}
 
 inline void expect_equal(IndexRange a, IndexRange b) {
     EXPECT_EQ(a.first, b.first);
@@ -20,24 +16,9 @@ inline void expect_equal(IndexRange a, IndexRange b) {
 
 inline void expect_equal(const Mesh& a, const Mesh& b) {
     EXPECT_EQ(a.name, b.name);
-    EXPECT_EQ(a.topology, b.topology);
-    EXPECT_EQ(a.positions, b.positions);
-    EXPECT_EQ(a.normals, b.normals);
-    EXPECT_EQ(a.tangents, b.tangents);
-    EXPECT_EQ(a.uv0, b.uv0);
-    EXPECT_EQ(a.uv1, b.uv1);
-    EXPECT_EQ(a.colours, b.colours);
+    expect_equal_geometry(a, b);
     EXPECT_EQ(a.joints, b.joints);
     EXPECT_EQ(a.weights, b.weights);
-    ASSERT_EQ(a.morphs.size(), b.morphs.size());
-    for (std::size_t i = 0; i < a.morphs.size(); ++i) {
-        EXPECT_EQ(a.morphs[i].name, b.morphs[i].name);
-        EXPECT_EQ(a.morphs[i].positions, b.morphs[i].positions);
-        EXPECT_EQ(a.morphs[i].normals, b.morphs[i].normals);
-        EXPECT_EQ(a.morphs[i].tangents, b.morphs[i].tangents);
-    }
-    EXPECT_EQ(a.indices, b.indices);
-    expect_equal(a.bounds, b.bounds);
 }
 
 inline void expect_equal(const LodChain& a, const LodChain& b) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "mesh_equality.h"
+
 namespace rambla::assets::test {
 
 namespace {
@@ -12,7 +14,6 @@ namespace {
 void expect_equal(const Material& a, const Material& b);
 void expect_equal(const Texture& a, const Texture& b);
 void expect_equal(const Image& a, const Image& b);
-void expect_equal(const MorphTarget& a, const MorphTarget& b);
 void expect_equal(const Camera& a, const Camera& b);
 void expect_equal(const Light& a, const Light& b);
 void expect_equal(const Node& a, const Node& b);
@@ -90,27 +91,10 @@ void expect_equal_influences(const Mesh& a, const Mesh& b) {
         }
 }
 
-void expect_equal(const MorphTarget& a, const MorphTarget& b) {
-    EXPECT_EQ(a.name, b.name);
-    EXPECT_EQ(a.positions, b.positions);
-    EXPECT_EQ(a.normals, b.normals);
-    EXPECT_EQ(a.tangents, b.tangents);
-}
-
 void expect_equal(const Mesh& a, const Mesh& b) {
     SCOPED_TRACE(a.name);
-    EXPECT_EQ(a.topology, b.topology);
-    EXPECT_EQ(a.positions, b.positions);
-    EXPECT_EQ(a.normals, b.normals);
-    EXPECT_EQ(a.tangents, b.tangents);
-    EXPECT_EQ(a.uv0, b.uv0);
-    EXPECT_EQ(a.uv1, b.uv1);
-    EXPECT_EQ(a.colours, b.colours);
-    EXPECT_EQ(a.indices, b.indices);
-    EXPECT_EQ(a.bounds.min, b.bounds.min);
-    EXPECT_EQ(a.bounds.max, b.bounds.max);
+    expect_equal_geometry(a, b);
     expect_equal_influences(a, b);
-    expect_all_equal(a.morphs, b.morphs);
 }
 
 /// Meshes correspond one to one where models show them.
