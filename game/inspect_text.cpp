@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -49,9 +50,12 @@ struct Column {
 struct Table {
     const char* key;  ///< of the array, and the table's title
     std::vector<Column> columns;
+    std::size_t most_rows = k_most_rows;
+    std::size_t widest_cell = k_widest_cell;
 };
 
 std::string bytes_cell(const Json& bytes) {
+    if (bytes.is_null()) return "-";
     return bytes_text(bytes.get<double>());
 }
 
@@ -165,6 +169,20 @@ const std::vector<Table> k_tables{
       {"outer deg", "outer_cone_deg"}}},
 };
 
+const Table k_files{"files",
+                    {{"result", "result"},
+                     {"meshes", "meshes"},
+                     {"triangles", "triangles"},
+                     {"skins", "skins"},
+                     {"clips", "clips"},
+                     {"materials", "materials"},
+                     {"images", "images"},
+                     {"memory", "memory_bytes", bytes_cell},
+                     {"file", "file"},
+                     {"words", "words"}},
+                    std::numeric_limits<std::size_t>::max(),
+                    std::numeric_limits<std::size_t>::max()};
+
 bool starts_character(char c) {
     return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
 }
@@ -174,30 +192,30 @@ std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_character));
 }
 
-std::string cut(const std::string& text) {
-    if (width_of(text) <= k_widest_cell) return text;
+std::string cut(const std::string& text, std::size_t widest) {
+    if (width_of(text) <= widest) return text;
     std::size_t end = 0;
-    for (std::size_t characters = 0; characters + 3 < k_widest_cell; ++characters)
+    for (std::size_t characters = 0; characters + 3 < widest; ++characters)
         do
             ++end;
         while (!starts_character(text[end]));
     return text.substr(0, end) + "...";
 }
 
-std::string cell_text(const Json& row, const Column& column) {
+std::string cell_text(const Json& row, const Column& column, std::size_t widest) {
     const auto member = row.find(column.key);
-    return member == row.end() ? "-" : cut(column.cell(*member));
+    return member == row.end() ? "-" : cut(column.cell(*member), widest);
 }
 
 /// Columns as wide as their widest cell; those in which no row says anything are left out.
 std::string table_text(const Json& rows, const Table& table) {
     std::string text = fmt::format("\n{} ({})\n", table.key, rows.size());
-    const std::size_t shown = std::min(rows.size(), k_most_rows);
+    const std::size_t shown = std::min(rows.size(), table.most_rows);
     std::vector<std::string> lines(shown + 1, " ");
     for (const Column& column : table.columns) {
         std::vector<std::string> cells{column.heading};
         for (std::size_t i = 0; i < shown; ++i)
-            cells.push_back(cell_text(rows[i], column));
+            cells.push_back(cell_text(rows[i], column, table.widest_cell));
         const bool speaks = std::any_of(cells.begin() + 1, cells.end(),
                                         [](const std::string& cell) { return !cell.empty() && cell != "-"; });
         if (!speaks) continue;
@@ -254,6 +272,16 @@ std::string picture_text(const Json& inspection) {
 
 std::string inspection_text(const Json& inspection) {
     return inspection["kind"] == "picture" ? picture_text(inspection) : gltf_text(inspection);
+}
+
+std::string files_text(const Json& files) {
+    const Json& rows = files["files"];
+    const auto count = [&](const char* result) {
+        return std::count_if(rows.begin(), rows.end(),
+                             [&](const Json& row) { return row["result"] == result; });
+    };
+    return table_text(rows, k_files) + fmt::format("\n{} load, {} load with warnings, {} are refused\n",
+                                                   count("load"), count("warn"), count("refuse"));
 }
 
 }  // namespace rambla::game

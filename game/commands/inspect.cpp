@@ -1,20 +1,14 @@
-#include <spdlog/sinks/base_sink.h>
-#include <spdlog/spdlog.h>
-
 #include <CLI/Option.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
-#include "assets/import/gltf_facts.h"
-#include "assets/import/image.h"
+#include "assets/export/image.h"
 #include "game/commands/command.h"
 #include "game/exit_code.h"
-#include "game/inspect_json.h"
+#include "game/inspect_csv.h"
+#include "game/inspect_file.h"
 #include "game/inspect_text.h"
 #include "game/json_output.h"
 #include "game/options.h"
@@ -26,56 +20,17 @@ namespace fs = std::filesystem;
 
 struct InspectCommand {
     Options options;
-    fs::path file;
+    std::vector<fs::path> files;
+    fs::path csv;
 };
-
-class WarningSink final : public spdlog::sinks::base_sink<std::mutex> {
-public:
-    std::vector<std::string> lines;
-
-private:
-    void sink_it_(const spdlog::details::log_msg& message) override {
-        lines.emplace_back(message.payload.data(), message.payload.size());
-    }
-    void flush_() override {}
-};
-
-/// Calls `work`; what it logs goes into the list instead, because it is part of the result.
-template <class Work>
-auto with_warnings(std::vector<std::string>& warnings, Work&& work) {
-    struct Redirection {
-        std::shared_ptr<spdlog::logger> previous = spdlog::default_logger();
-        std::shared_ptr<WarningSink> sink = std::make_shared<WarningSink>();
-        Redirection() { spdlog::set_default_logger(std::make_shared<spdlog::logger>("inspect", sink)); }
-        ~Redirection() { spdlog::set_default_logger(previous); }
-    };
-    const Redirection redirection;
-    auto result = work();
-    warnings = redirection.sink->lines;
-    return result;
-}
-
-bool is_gltf(const fs::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
-    return extension == ".gltf" || extension == ".glb";
-}
-
-nlohmann::json inspect(const fs::path& file) {
-    if (is_gltf(file)) {
-        std::vector<std::string> warnings;
-        const assets::GltfWithFacts gltf =
-            with_warnings(warnings, [&] { return assets::import_gltf_with_facts(file); });
-        return inspection(file, gltf, warnings);
-    }
-    return inspection(file, assets::read_image_with_facts(file));
-}
 
 int run(const InspectCommand& command) {
     prepare_json(command.options.json);
-    const nlohmann::json result = inspect(command.file);
-    print_result(command.options.json, inspection_text(result));
+    const bool several = command.files.size() > 1;
+    const nlohmann::json result = several ? inspect_files(command.files) : inspect_file(command.files[0]);
+    print_result(command.options.json, several ? files_text(result) : inspection_text(result));
+    if (!command.csv.empty())
+        assets::write_text(command.csv, files_csv(several ? result : inspect_files(command.files)));
     write_json(command.options.json, result);
     return k_done;
 }
@@ -90,8 +45,14 @@ Command add_inspect(CLI::App& program) {
         "Names ending in .gltf or .glb are glTF; everything else is a picture (PNG, JPEG, HDR, EXR, TIFF, "
         "TGA, "
         "DDS),\n"
-        "known by its content. --json has every row of every table, and more of each.\n");
-    line->add_option("file", command->file, "File to look into")->type_name("FILE")->required();
+        "known by its content. --json has every row of every table, and more of each.\n"
+        "Of several files there is one table with a row for each, which says whether it loads, loads with "
+        "warnings, or is\n"
+        "refused and why.\n");
+    line->add_option("files", command->files, "File to look into; several: a table of them")
+        ->type_name("FILE")
+        ->required();
+    line->add_option("--csv", command->csv, "Writes the table of files, comma-separated")->type_name("FILE");
     add_message_options(*line, command->options);
     return {line, [command] {
                 return run(*command);

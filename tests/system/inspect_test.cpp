@@ -69,6 +69,31 @@ TEST_F(InspectCommand, TellsWhatAPictureIs) {
     EXPECT_THAT(ended.err, HasSubstr("2 x 1"));
 }
 
+TEST_F(InspectCommand, SeveralFilesAreATableThatHasTheRefusedToo) {
+    write_file(folder / "leaf.gltf", k_triangle);
+    write_file(folder / "cut, short.gltf", k_triangle.substr(0, 200));
+    const Ended ended = rambla(
+        {"inspect", "leaf.gltf", "cut, short.gltf", "nowhere.glb", "--csv", "t.csv", "--json", "t.json"},
+        folder);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(ended.err, "");
+    EXPECT_THAT(ended.out, HasSubstr("0 load, 1 load with warnings, 2 are refused"));
+    EXPECT_THAT(ended.out, HasSubstr("VENDOR_wonder"));
+    const nlohmann::json rows = nlohmann::json::parse(file_text(folder / "t.json"))["files"];
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0]["result"], "warn");
+    EXPECT_EQ(rows[0]["triangles"], 1);
+    EXPECT_EQ(rows[0]["meshes"], 1);
+    EXPECT_EQ(rows[1]["result"], "refuse");
+    EXPECT_TRUE(rows[1]["triangles"].is_null());
+    EXPECT_THAT(rows[2]["words"].get<std::string>(), HasSubstr("nowhere.glb"));
+    const std::string csv = file_text(folder / "t.csv");
+    EXPECT_EQ(line_count(csv), 4u) << csv;
+    EXPECT_THAT(csv, HasSubstr("file,result,meshes,triangles,skins,clips,"));
+    EXPECT_THAT(csv, HasSubstr("\nleaf.gltf,warn,1,1,0,0,1,1,0,0,0,"));
+    EXPECT_THAT(csv, HasSubstr("\n\"cut, short.gltf\",refuse,,,,,,,,,,,\""));
+}
+
 TEST_F(InspectCommand, ABadFileIsOneLineAndExitCodeTwo) {
     write_file(folder / "letter.txt", "Dear reader,\n");
     write_file(folder / "cut.gltf", k_triangle.substr(0, 200));
