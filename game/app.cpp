@@ -50,7 +50,7 @@ public:
           window_{options.size_px, options.title, true},
           input_{window_.handle()},
           interface_{window_.handle()},
-          overlay_{settings_},
+          overlay_{settings_, options.overlay_part},
           shaders_{ShaderFolder::of_build()},
           thread_{{.window = window_.context(), .shaders = shaders_.source(), .gl_errors_throw = false}} {
         hud_.walking = options.walking;

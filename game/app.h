@@ -17,7 +17,8 @@ struct AppOptions {
     bool walking =
         false;           ///< the pointer belongs to somebody's eyes, and the help names the keys for walking
     bool quiet = false;  ///< shows no progress on the terminal
-    std::uint64_t frames = 0;  ///< ends after so many pictures; 0: when the user quits
+    std::uint64_t frames = 0;              ///< ends after so many pictures; 0: when the user quits
+    std::function<void()> overlay_part{};  ///< widgets of the caller's own, below the overlay's; may be empty
 };
 
 /// What to show next.

@@ -35,6 +35,10 @@ systems::AnimationPlayer& player_of(Stage& stage) {
     return stage.world->get_mut<systems::AnimationPlayer>(stage.player);
 }
 
+const systems::ClipCursor& playing_on(const Stage& stage) {
+    return stage.world->get<systems::AnimationPlayer>(stage.player).playing;
+}
+
 }  // namespace
 
 std::string clip_label(const assets::Scene& scene, std::uint32_t clip) {
@@ -63,13 +67,12 @@ void show_clip(Stage& stage, std::uint32_t clip, double time_s) {
     systems::settle_animation(*stage.world);
 }
 
-assets::Bounds clip_bounds(Stage& stage, std::optional<std::uint32_t> clip) {
-    if (!clip) return shown_bounds(*stage.world, *stage.scene, stage.origin);
+assets::Bounds clip_bounds(Stage& stage, std::uint32_t clip) {
     const systems::AnimationPlayer before = player_of(stage);
-    const double duration_s = stage.world->resource<systems::ClipLibrary>().duration_s(*clip);
+    const double duration_s = stage.world->resource<systems::ClipLibrary>().duration_s(clip);
     assets::Bounds box;
     for (int i = 0; i < k_bounds_poses; ++i) {
-        show_clip(stage, *clip, duration_s * i / (k_bounds_poses - 1));
+        show_clip(stage, clip, duration_s * i / (k_bounds_poses - 1));
         box.expand(shown_bounds(*stage.world, *stage.scene, stage.origin));
     }
     player_of(stage) = before;
@@ -80,7 +83,7 @@ assets::Bounds clip_bounds(Stage& stage, std::optional<std::uint32_t> clip) {
 ClipPlayback::ClipPlayback(Stage& stage) : stage_{stage}, caption_left_s_{k_caption_s} {}
 
 float ClipPlayback::update(const Moment& moment) {
-    if (stage_.player == ecs::Entity{}) return 1.0f;
+    if (!has_clips()) return 1.0f;
     caption_left_s_ -= moment.elapsed_s;
     if (moment.keys_free) follow_keys(moment.input);
     const std::uint32_t due = clock_.advance(moment.elapsed_s);
@@ -90,34 +93,58 @@ float ClipPlayback::update(const Moment& moment) {
     return clock_.interpolation();
 }
 
+std::uint32_t ClipPlayback::clip() const {
+    return playing_on(stage_).clip;
+}
+
+double ClipPlayback::time_s() const {
+    return playing_on(stage_).time_s;
+}
+
+double ClipPlayback::duration_s() const {
+    return stage_.world->resource<systems::ClipLibrary>().duration_s(clip());
+}
+
+void ClipPlayback::choose(std::uint32_t clip) {
+    caption_left_s_ = k_caption_s;
+    systems::cross_fade(player_of(stage_), {.clip = clip, .speed = speed_}, k_fade_s);
+}
+
+void ClipPlayback::seek(double time_s) {
+    caption_left_s_ = k_caption_s;
+    show_clip(stage_, clip(), time_s);
+    player_of(stage_).playing.speed = speed_;
+}
+
+void ClipPlayback::set_speed(float speed) {
+    caption_left_s_ = k_caption_s;
+    speed_ = speed;
+    systems::AnimationPlayer& player = player_of(stage_);
+    player.playing.speed = speed;
+    player.fading.speed = speed;
+}
+
 std::string ClipPlayback::caption() const {
-    if (stage_.player == ecs::Entity{} || caption_left_s_ <= 0.0) return {};
-    const systems::ClipCursor& playing = stage_.world->get<systems::AnimationPlayer>(stage_.player).playing;
-    const double duration_s = stage_.world->resource<systems::ClipLibrary>().duration_s(playing.clip);
-    return fmt::format("{} ({} of {}): {:.2f} of {:.2f} s, speed {:g}",
-                       clip_label(*stage_.scene, playing.clip), playing.clip + 1, stage_.scene->clips.size(),
-                       playing.time_s, duration_s, speed_);
+    if (!has_clips() || caption_left_s_ <= 0.0) return {};
+    return fmt::format("{} ({} of {}): {:.2f} of {:.2f} s, speed {:g}", clip_label(*stage_.scene, clip()),
+                       clip() + 1, stage_.scene->clips.size(), time_s(), duration_s(), speed_);
 }
 
 void ClipPlayback::follow_keys(const Input& input) {
-    constexpr std::array k_actions_here{Action::next_clip, Action::slower, Action::faster};
-    const auto pressed = [&](Action action) {
-        return input.pressed(action);
-    };
-    if (std::none_of(k_actions_here.begin(), k_actions_here.end(), pressed)) return;
-    caption_left_s_ = k_caption_s;
-    systems::AnimationPlayer& player = player_of(stage_);
     if (input.pressed(Action::next_clip)) {
         const auto count = static_cast<std::uint32_t>(stage_.scene->clips.size());
-        const std::uint32_t step = input.with_shift(Action::next_clip) ? count - 1 : 1;
-        systems::cross_fade(player, {.clip = (player.playing.clip + step) % count}, k_fade_s);
+        const std::uint32_t way = input.with_shift(Action::next_clip) ? count - 1 : 1;
+        choose((clip() + way) % count);
     }
-    const auto* place = std::find(k_speeds.begin(), k_speeds.end(), speed_);
-    if (input.pressed(Action::faster) && place + 1 != k_speeds.end()) ++place;
-    if (input.pressed(Action::slower) && place != k_speeds.begin()) --place;
-    speed_ = *place;
-    player.playing.speed = speed_;
-    player.fading.speed = speed_;
+    // The slider may stand between two of the keys' speeds.
+    if (input.pressed(Action::faster)) {
+        const auto* const next = std::upper_bound(k_speeds.begin(), k_speeds.end(), speed_);
+        set_speed(next == k_speeds.end() ? speed_ : *next);
+    }
+    if (input.pressed(Action::slower)) {
+        const auto* const here = std::lower_bound(k_speeds.begin(), k_speeds.end(), speed_);
+        set_speed(here == k_speeds.begin() ? speed_ : *(here - 1));
+    }
 }
 
 }  // namespace rambla::game

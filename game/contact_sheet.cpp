@@ -11,7 +11,6 @@
 namespace rambla::game {
 namespace {
 
-constexpr std::uint32_t k_cell_width_px = 320;
 constexpr std::uint32_t k_gap_px = 4;
 
 /// IEC 61966-2-1.
@@ -104,8 +103,8 @@ assets::Image shrunk(const assets::Image& picture, glm::uvec2 size_px) {
     return result;
 }
 
-ContactSheet::ContactSheet(std::uint32_t pictures, glm::uvec2 picture_size_px) {
-    const std::uint32_t width = std::min(picture_size_px.x, k_cell_width_px);
+ContactSheet::ContactSheet(std::uint32_t pictures, glm::uvec2 picture_size_px, std::uint32_t cell_width_px) {
+    const std::uint32_t width = std::min(picture_size_px.x, cell_width_px);
     const double aspect = static_cast<double>(picture_size_px.y) / picture_size_px.x;
     cell_px_ = {width, std::max(1u, static_cast<std::uint32_t>(std::lround(width * aspect)))};
     columns_ = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(pictures))));

@@ -12,13 +12,18 @@ namespace rambla::game {
 /// @param picture  rgba8; at least as large as `size_px` in both directions
 [[nodiscard]] assets::Image shrunk(const assets::Image& picture, glm::uvec2 size_px);
 
+/// Cells of this width show what a picture is of, and many of them fit on a screen.
+inline constexpr std::uint32_t k_sheet_cell_width_px = 320;
+
 /// Many pictures at one glance: a grid of small ones, row by row. Cells may be filled in any order, also at
 /// the same time as long as each is filled by one thread.
 class ContactSheet {
 public:
     /// @param pictures         how many will come, at least 1
     /// @param picture_size_px  of each of them; cells keep its aspect and are never larger
-    ContactSheet(std::uint32_t pictures, glm::uvec2 picture_size_px);
+    /// @param cell_width_px    what larger pictures are shrunk to
+    ContactSheet(std::uint32_t pictures, glm::uvec2 picture_size_px,
+                 std::uint32_t cell_width_px = k_sheet_cell_width_px);
 
     void place(std::uint32_t cell, const assets::Image& picture);
     [[nodiscard]] const assets::Image& image() const { return sheet_; }

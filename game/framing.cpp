@@ -22,15 +22,6 @@ glm::vec3 direction_from_target(const Orbit& orbit) {
             std::cos(orbit.yaw_rad) * std::cos(orbit.pitch_rad)};
 }
 
-/// Rotation of a node's frame without its scale; cameras keep looking along −Z whatever scale stands above
-/// them.
-glm::quat rotation_of(const glm::mat4& scene_from_node) {
-    const glm::vec3 back = glm::normalize(glm::vec3{scene_from_node[2]});
-    const glm::vec3 up{scene_from_node[1]};
-    const glm::vec3 right = glm::normalize(glm::cross(up, back));
-    return glm::normalize(glm::quat_cast(glm::mat3{right, glm::cross(back, right), back}));
-}
-
 }  // namespace
 
 std::vector<PlacedNode> placed_nodes(const assets::Scene& scene) {
@@ -89,25 +80,6 @@ Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box, const systems
             .distance_m = distance_m,
             .yaw_rad = std::atan2(-ahead.x, -ahead.z),
             .pitch_rad = std::asin(std::clamp(-ahead.y, -1.0f, 1.0f))};
-}
-
-std::optional<systems::Eye> scene_camera(const assets::Scene& scene, std::uint32_t index,
-                                         const systems::WorldPosition& origin) {
-    for (const PlacedNode& placed : placed_nodes(scene)) {
-        const std::uint32_t camera_index = scene.nodes[placed.node].camera;
-        if (camera_index == assets::k_none || index-- > 0) continue;
-        const assets::Camera& camera = scene.cameras[camera_index];
-        systems::Eye eye;
-        eye.place = systems::moved(origin, glm::dvec3{placed.scene_from_node[3]});
-        eye.rotation = rotation_of(placed.scene_from_node);
-        eye.kind = camera.kind;
-        eye.vertical_fov_rad = camera.vertical_fov_rad;
-        eye.half_height_m = camera.half_height_m;
-        eye.near_m = camera.near_m;
-        eye.far_m = camera.far_m;
-        return eye;
-    }
-    return std::nullopt;
 }
 
 assets::Environment viewing_light(const assets::Scene& scene) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
 #include <vector>
 
 #include "assets/bounds.h"
@@ -43,10 +42,6 @@ struct Orbit {
 /// place, but for a roll, which orbits do not have.
 [[nodiscard]] Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box,
                              const systems::WorldPosition& origin);
-
-/// Eye of the `index`-th camera that the scene shows by default; nothing if it has fewer.
-[[nodiscard]] std::optional<systems::Eye> scene_camera(const assets::Scene& scene, std::uint32_t index,
-                                                       const systems::WorldPosition& origin);
 
 /// Light for a viewed scene: its own directional light as the sun; no sun if it has other lights only; noon
 /// if none. With lights of its own, the sky is kept soft, so that shadows are not black and the file's light

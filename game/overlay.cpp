@@ -68,7 +68,8 @@ void show(const OverlayState& state) {
 
 }  // namespace
 
-Overlay::Overlay(render::Settings& settings) {
+Overlay::Overlay(render::Settings& settings, std::function<void()> own_part)
+    : own_part_{std::move(own_part)} {
     add_group("shadows", bind(render::k_shadow_parameters, settings.shadows));
     add_group("tone mapping", bind(render::k_tone_parameters, settings.tone));
     add_group("anti-aliasing", bind(render::k_anti_aliasing_parameters, settings.anti_aliasing));
@@ -90,6 +91,7 @@ void Overlay::draw(const OverlayState& state) {
     ImGui::SetNextWindowSize({420.0f, 0.0f}, ImGuiCond_FirstUseEver);
     ImGui::Begin("Rambla");
     show(state);
+    if (own_part_) own_part_();
     for (const Group& group : groups_) {
         if (!ImGui::CollapsingHeader(group.name.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) continue;
         for (std::size_t i = 0; i < group.parameters.size(); ++i)

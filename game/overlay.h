@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct OverlayState {
 class Overlay {
 public:
     /// @param settings  changed by the widgets; must outlive this and stay where it is
-    explicit Overlay(render::Settings& settings);
+    /// @param own_part  builds more widgets between the counts and the parameters; may be empty
+    explicit Overlay(render::Settings& settings, std::function<void()> own_part = {});
 
     /// Builds the panel in the current Dear ImGui frame.
     void draw(const OverlayState& state);
@@ -36,6 +38,7 @@ private:
     };
     void add_group(std::string name, std::vector<BoundParameter> parameters);
 
+    std::function<void()> own_part_;
     std::vector<Group> groups_;
 };
 

@@ -9,12 +9,20 @@
 #include "systems/spawn.h"
 
 namespace rambla::game {
+namespace {
+
+void take(Stage& stage, systems::SpawnedScene spawned) {
+    stage.nodes = std::move(spawned.nodes);
+    stage.player = spawned.player;
+}
+
+}  // namespace
 
 Stage make_stage(const std::string& scene, std::uint64_t seed, const systems::WorldPosition& origin) {
     assets::Place place = assets::generate_place(scene, seed);
     Stage stage;
     stage.world = std::make_unique<ecs::World>();
-    stage.player = systems::spawn(*stage.world, place, origin, seed).player;
+    take(stage, systems::spawn(*stage.world, place, origin, seed));
     stage.scene = std::make_shared<const assets::Scene>(std::move(place.scene));
     stage.walk = std::move(place.walk);
     stage.walk_fov_rad = place.walk_fov_rad;
@@ -28,7 +36,7 @@ Stage make_stage(assets::Scene scene, const assets::Environment& light,
     stage.world = std::make_unique<ecs::World>();
     stage.world->set_resource(systems::Sunlight{light});
     assets::blend_transmission(scene);
-    stage.player = systems::spawn(*stage.world, scene, origin).player;
+    take(stage, systems::spawn(*stage.world, scene, origin));
     stage.scene = std::make_shared<const assets::Scene>(std::move(scene));
     stage.origin = origin;
     return stage;

@@ -17,8 +17,9 @@ struct Stage {
     std::shared_ptr<const assets::Scene> scene;
     std::vector<assets::CameraKey> walk;
     float walk_fov_rad = 1.0f;
-    ecs::Entity player;             ///< plays the scene's clips; null if it has none
-    systems::WorldPosition origin;  ///< where the place's own (0,0,0) stands
+    std::vector<ecs::Entity> nodes;  ///< of the scene's nodes; null for those that were not spawned
+    ecs::Entity player;              ///< plays the scene's clips; null if it has none
+    systems::WorldPosition origin;   ///< where the place's own (0,0,0) stands
 };
 
 /// Generates a scene by its name, such as `city:blocks=2x2`, and spawns it. @throws std::invalid_argument

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/clip_panel.h"
+#include "game/scene_camera.h"
+
 namespace rambla::game {
 namespace {
 
@@ -12,26 +15,34 @@ constexpr float k_wheel_factor = 0.88f;       // each notch comes an eighth near
 
 }  // namespace
 
-ViewSession::ViewSession(Stage& stage, const systems::Eye& start, const assets::Bounds& box)
-    : origin_{stage.origin}, eye_{start}, orbit_{orbit_of(start, box, stage.origin)}, clips_{stage} {}
+ViewSession::ViewSession(ModelView& view) : view_{view}, clips_{view.stage} {}
 
 Shot ViewSession::update(const Moment& moment) {
-    const Input& input = moment.input;
-    if (moment.pointer_free && input.button_held() && input.pointer_way() != glm::vec2{0.0f}) {
-        orbit_.yaw_rad -= k_orbit_rad_per_px * input.pointer_way().x;
-        orbit_.pitch_rad = std::clamp(orbit_.pitch_rad + k_orbit_rad_per_px * input.pointer_way().y,
-                                      -k_highest_pitch_rad, k_highest_pitch_rad);
-        eye_ = eye_of(orbit_, origin_, eye_);
-    }
-    if (moment.pointer_free && input.wheel() != 0.0f) {
-        const float nearer = std::pow(k_wheel_factor, input.wheel());
-        orbit_.distance_m *= nearer;
-        eye_.half_height_m *= nearer;  // an orthographic picture does not grow by coming nearer
-        eye_ = eye_of(orbit_, origin_, eye_);
-    }
     const float interpolation = clips_.update(moment);
-    return {
-        .eye = eye_, .interpolation = interpolation, .steps = clips_.steps(), .caption = clips_.caption()};
+    if (view_.camera && !orbit_) view_.eye = camera_eye(view_.stage, *view_.camera, interpolation);
+    if (moment.pointer_free) follow_mouse(moment.input);
+    return {.eye = view_.eye,
+            .interpolation = interpolation,
+            .steps = clips_.steps(),
+            .caption = clips_.caption()};
+}
+
+void ViewSession::draw_overlay_part() {
+    draw_clip_panel(clips_);
+}
+
+void ViewSession::follow_mouse(const Input& input) {
+    const glm::vec2 way = input.button_held() ? input.pointer_way() : glm::vec2{0.0f};
+    if (way == glm::vec2{0.0f} && input.wheel() == 0.0f) return;
+    const systems::WorldPosition& origin = view_.stage.origin;
+    if (!orbit_) orbit_ = orbit_of(view_.eye, view_.box, origin);
+    orbit_->yaw_rad -= k_orbit_rad_per_px * way.x;
+    orbit_->pitch_rad =
+        std::clamp(orbit_->pitch_rad + k_orbit_rad_per_px * way.y, -k_highest_pitch_rad, k_highest_pitch_rad);
+    const float nearer = std::pow(k_wheel_factor, input.wheel());
+    orbit_->distance_m *= nearer;
+    view_.eye.half_height_m *= nearer;  // an orthographic picture does not grow by coming nearer
+    view_.eye = eye_of(*orbit_, origin, view_.eye);
 }
 
 }  // namespace rambla::game

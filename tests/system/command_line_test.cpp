@@ -153,6 +153,32 @@ TEST_F(CommandLineProgram, AModelWithoutFlawsIsShownWithoutAWord) {
     EXPECT_EQ(picture(folder / "p.png").width, 160u);
 }
 
+TEST_F(CommandLineProgram, SeveralModelsBecomeASheetThatShowsWhatIsRefused) {
+    write_file(folder / "square.bin", square_buffer());
+    write_file(folder / "square.gltf", square_gltf("square.bin", k_plain));
+    const Ended ended = rambla({"view", "square.gltf", "nowhere.glb", "square.gltf", "--headless", "--out",
+                                "s.png", "--size", "160x120", "--json", "-", "--quiet"},
+                               folder);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(line_count(ended.err), 1u) << ended.err;
+    const nlohmann::json rows = nlohmann::json::parse(ended.out)["files"];
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0]["visible"], 1);
+    EXPECT_FALSE(rows[0].contains("error"));
+    EXPECT_THAT(rows[1]["error"].get<std::string>(), HasSubstr("nowhere.glb"));
+    // Two by two cells with gaps of 4 pixels: the square in the first and the third, and in no other.
+    const assets::Image sheet = picture(folder / "s.png");
+    ASSERT_EQ(sheet.width, 2 * 160u + 3 * 4u);
+    ASSERT_EQ(sheet.height, 2 * 120u + 3 * 4u);
+    for (std::uint32_t y = 0; y < 120; ++y)
+        for (std::uint32_t x = 0; x < 160; ++x)
+            ASSERT_EQ(byte_at(sheet, 4 + x, 4 + y, 0), byte_at(sheet, 4 + x, 128 + y, 0)) << x << ' ' << y;
+    EXPECT_EQ(byte_at(sheet, 168 + 80, 128 + 60, 0), 0) << "nothing lies in the fourth";
+    EXPECT_NE(byte_at(sheet, 4 + 80, 4 + 60, 0), byte_at(sheet, 168 + 80, 4 + 60, 0));
+    expect_refused({"view", "square.gltf", "square.gltf", "--headless", "--out", "s.exr"}, "s.exr");
+    expect_refused({"view", "square.gltf", "square.gltf", "--frames", "3"}, "--frames");
+}
+
 TEST_F(CommandLineProgram, HelpIsCompleteAndGoesToStandardOutput) {
     const Ended all = rambla({"--help"}, folder);
     EXPECT_EQ(all.exit_code, 0);

@@ -4,10 +4,13 @@
 #include "assets/scene.h"
 
 namespace rambla::system_test {
+namespace {
 
-void write_clips(const std::filesystem::path& file) {
-    using assets::AnimatedPath;
-    using assets::Interpolation;
+using assets::AnimatedPath;
+using assets::Interpolation;
+
+/// Two unlit tiles of 2 × 2 m that face +Z, dark and bright, one on a node of its own each.
+assets::Scene two_tiles(float dark, float bright) {
     assets::Scene scene;
     assets::Mesh& mesh = scene.meshes.emplace_back();
     mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
@@ -15,7 +18,7 @@ void write_clips(const std::filesystem::path& file) {
     mesh.indices = {0, 1, 2, 0, 2, 3};
     for (const glm::vec3& position : mesh.positions)
         mesh.bounds.expand(position);
-    for (const float brightness : {0.05f, 0.9f}) {
+    for (const float brightness : {dark, bright}) {
         assets::Material& material = scene.materials.emplace_back();
         material.base_colour = {brightness, brightness, brightness, 1.0f};
         material.double_sided = true;
@@ -26,6 +29,13 @@ void write_clips(const std::filesystem::path& file) {
         scene.nodes.emplace_back().model = index;
         scene.roots.push_back(index);
     }
+    return scene;
+}
+
+}  // namespace
+
+void write_clips(const std::filesystem::path& file) {
+    assets::Scene scene = two_tiles(0.05f, 0.9f);
     scene.nodes[0].local.scale = {4, 4, 1};
     scene.nodes[1].local.translation_m = {-2, 0, 0.5f};
     assets::Clip& slide = scene.clips.emplace_back();
@@ -46,6 +56,24 @@ void write_clips(const std::filesystem::path& file) {
                              4,
                              {0, 1, 2},
                              {0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, -1}});
+    assets::export_gltf(file, scene);
+}
+
+void write_ride(const std::filesystem::path& file) {
+    assets::Scene scene = two_tiles(0.0f, 1.0f);
+    scene.nodes[0].local.translation_m = {10, 0, 0};
+    scene.cameras.push_back({.name = "rider", .vertical_fov_rad = 0.5f, .near_m = 0.1f});
+    scene.nodes.resize(4);
+    scene.nodes[2].children = {3};
+    scene.nodes[3].parent = 2;
+    scene.nodes[3].camera = 0;
+    scene.nodes[3].local.translation_m = {0, 0, 3};
+    scene.roots.push_back(2);
+    assets::Clip& ride = scene.clips.emplace_back();
+    ride.name = "ride";
+    ride.duration_s = 2.0f;
+    ride.channels.push_back(
+        {2, AnimatedPath::translation, Interpolation::linear, 3, {0, 2}, {0, 0, 0, 10, 0, 0}});
     assets::export_gltf(file, scene);
 }
 

@@ -61,6 +61,16 @@ TEST_F(ViewedClip, IsNoneUnlessAskedFor) {
     EXPECT_EQ(json["clips"], 2);
 }
 
+TEST_F(ViewedClip, MovesTheCameraThatHangsFromWhatItMoves) {
+    write_ride(folder / "clips.glb");
+    const assets::Image begin = shown({"--clip-time", "0"});
+    const assets::Image end = shown({"--clip-time", "2"});
+    // The camera starts in front of the white tile and ends in front of the black one.
+    EXPECT_GT(byte_at(begin, 48, 36, 1), 200);
+    EXPECT_LT(byte_at(end, 48, 36, 1), 60);
+    EXPECT_EQ(mean_difference(begin, shown({})), 0.0) << "where the file has it";
+}
+
 TEST_F(ViewedClip, MustBeThere) {
     expect_refused({"--clip", "dance"}, "0 'slide', 1 'spin'");
     expect_refused({"--clip", "2"}, "0 'slide', 1 'spin'");

@@ -84,7 +84,7 @@ TEST(Clips, AreShownAtAnyTime) {
 
 TEST(Clips, AreFramedAsFarAsTheyGo) {
     Stage stage = stage_of(cubes());
-    const assets::Bounds still = clip_bounds(stage, {});
+    const assets::Bounds still = shown_bounds(*stage.world, *stage.scene, stage.origin);
     EXPECT_EQ(still.min, glm::vec3(4.5f, -0.5f, -0.5f));
     EXPECT_EQ(still.max, glm::vec3(8.25f, 0.5f, 0.5f));
     show_clip(stage, 0, 0.5);
@@ -93,6 +93,48 @@ TEST(Clips, AreFramedAsFarAsTheyGo) {
     EXPECT_EQ(rising.max.y, 2.5f);
     EXPECT_EQ(shown_bounds(*stage.world, *stage.scene, stage.origin).min.y, 0.5f)
         << "and the pose is as it was";
+}
+
+TEST(ClipPlayback, GoesWhereItIsToldToAtOnce) {
+    Stage stage = stage_of(cubes());
+    show_clip(stage, 0, 0.0);
+    ClipPlayback playback{stage};
+    EXPECT_TRUE(playback.has_clips());
+    EXPECT_EQ(playback.duration_s(), 2.0);
+    playback.set_speed(2.0f);
+    playback.seek(0.5);
+    EXPECT_EQ(playback.time_s(), 0.5);
+    EXPECT_EQ(shown_bounds(*stage.world, *stage.scene, stage.origin).min.y, 0.5f) << "before any step";
+    systems::step(*stage.world);
+    EXPECT_NEAR(playback.time_s(), 0.5 + 2.0 * systems::k_step_s, 1e-12) << "the speed outlives the leap";
+}
+
+TEST(ClipPlayback, FlowsIntoTheClipThatIsChosen) {
+    Stage stage = stage_of(cubes());
+    show_clip(stage, 0, 1.0);
+    ClipPlayback playback{stage};
+    playback.set_speed(0.0f);
+    playback.choose(1);
+    EXPECT_EQ(playback.clip(), 1u);
+    EXPECT_EQ(playback.time_s(), 0.0);
+    EXPECT_NE(playback.caption().find("clip 1 (2 of 3)"), std::string::npos) << playback.caption();
+    systems::step(*stage.world);
+    const float height_m = shown_bounds(*stage.world, *stage.scene, stage.origin).min.y;
+    EXPECT_GT(height_m, 0.5f) << "still almost where the first clip was";
+    EXPECT_LT(height_m, 1.5f);
+    for (int i = 0; i < 30; ++i)
+        systems::step(*stage.world);
+    EXPECT_EQ(shown_bounds(*stage.world, *stage.scene, stage.origin).min.y, -0.5f);
+    EXPECT_EQ(playback.time_s(), 0.0) << "at speed 0";
+}
+
+TEST(ClipPlayback, HasNothingToPlayWithoutClips) {
+    assets::Scene scene = cubes();
+    scene.clips.clear();
+    Stage stage = stage_of(std::move(scene));
+    const ClipPlayback playback{stage};
+    EXPECT_FALSE(playback.has_clips());
+    EXPECT_EQ(playback.caption(), "");
 }
 
 TEST(Clips, FramesFollowEveryVertexThatDeforms) {

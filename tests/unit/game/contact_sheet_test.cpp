@@ -94,6 +94,10 @@ TEST(ContactSheet, SmallPicturesAreNotEnlarged) {
     EXPECT_EQ((ContactSheet{4, {100, 40}}.cell_size_px()), glm::uvec2(100, 40));
 }
 
+TEST(ContactSheet, CellsMayBeWiderThanUsual) {
+    EXPECT_EQ((ContactSheet{4, {960, 540}, 640}.cell_size_px()), glm::uvec2(640, 360));
+}
+
 TEST(ContactSheet, EachPictureLandsInItsOwnCell) {
     ContactSheet sheet{4, {20, 10}};
     for (std::uint32_t i = 0; i < 4; ++i) {

@@ -92,20 +92,6 @@ TEST(Framing, APointOrNothingIsFramedToo) {
     }
 }
 
-TEST(SceneCamera, StandsAndLooksAsItsNodeDoes) {
-    assets::Scene scene = scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {});
-    scene.cameras.push_back({.name = "a", .vertical_fov_rad = 0.5f, .near_m = 0.25f});
-    scene.nodes[add_turned_node(scene)].camera = 0;
-    EXPECT_FALSE(scene_camera(scene, 1, {}).has_value());
-    const systems::Eye eye = scene_camera(scene, 0, {}).value();
-    const glm::vec3 place = systems::offset_m({}, eye.place);
-    const glm::vec3 ahead = eye.rotation * glm::vec3{0.0f, 0.0f, -1.0f};
-    EXPECT_LT(glm::distance(place, glm::vec3{10.0f, 2.0f, 0.0f}), 1e-5f);
-    EXPECT_LT(glm::distance(ahead, glm::vec3{-1.0f, 0.0f, 0.0f}), 1e-5f);
-    EXPECT_EQ(eye.vertical_fov_rad, 0.5f);
-    EXPECT_EQ(eye.near_m, 0.25f);
-}
-
 TEST(Orbit, BeginsWhereTheEyeIs) {
     const assets::Bounds box{{-1.0f, 0.0f, -1.0f}, {1.0f, 2.0f, 1.0f}};
     const systems::Eye eye = eye_of(frame_bounds(box, 0.7f, 1.5f), {});
