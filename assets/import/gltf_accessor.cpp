@@ -4,6 +4,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace rambla::assets::gltf {
@@ -118,6 +119,16 @@ template <class Compute>
 auto computed(std::uint64_t size, const Compute& compute) {
     using Iterator = ComputedIterator<Compute>;
     return std::vector<typename Iterator::value_type>(Iterator{compute, 0}, Iterator{compute, size});
+}
+
+/// Values that lie one after the other in a buffer, in a copy of which the compiler makes a block move or a
+/// loop over vectors, as it does not of a load for each. Nothing where the buffer is not aligned for them.
+template <class To, class From>
+std::optional<std::vector<To>> in_one_piece(const unsigned char* bytes, std::uint64_t size) {
+    static_assert(std::is_trivially_copyable_v<From>);
+    if (reinterpret_cast<std::uintptr_t>(bytes) % alignof(From) != 0) return std::nullopt;
+    const auto* const first = reinterpret_cast<const From*>(bytes);
+    return std::vector<To>(first, first + size);
 }
 
 bool is_index_type(int type) {
@@ -260,12 +271,10 @@ std::vector<glm::vec<N, float>> AccessorReader::read(std::span<const std::uint32
             return value;
         };
         const bool packed = base_.first != nullptr && base_.stride == sizeof(Vector);
-        if (!packed || !gather.empty() || sparse_count_ > 0)
-            fill(element);
-        else
-            values = computed(size, [element, first = base_.first](std::uint64_t i) {
-                return element(first + i * sizeof(Vector));
-            });
+        if (packed && gather.empty() && sparse_count_ == 0)
+            if (std::optional<std::vector<Vector>> whole = in_one_piece<Vector, Vector>(base_.first, size))
+                return *std::move(whole);
+        fill(element);
         return values;
     }
     with_component(component_type_, normalised_ || always_normalise, [&](auto read_component) {
@@ -324,14 +333,11 @@ std::vector<std::uint32_t> AccessorReader::read_indices() const {
     std::vector<std::uint32_t> indices;
     const auto fill = [&]<class T>(T) {
         const Bytes base = base_;
-        if (base.stride == sizeof(T))
-            indices = computed(count_, [first = base.first](std::uint64_t i) {
-                return static_cast<std::uint32_t>(load<T>(first + i * sizeof(T)));
-            });
-        else
-            indices = computed(count_, [&](std::uint64_t i) {
-                return static_cast<std::uint32_t>(load<T>(base.first + i * base.stride));
-            });
+        std::optional<std::vector<std::uint32_t>> whole;
+        if (base.stride == sizeof(T)) whole = in_one_piece<std::uint32_t, T>(base.first, count_);
+        indices = whole ? *std::move(whole) : computed(count_, [&](std::uint64_t i) {
+            return static_cast<std::uint32_t>(load<T>(base.first + i * base.stride));
+        });
     };
     if (base_.first == nullptr)
         indices.assign(count_, 0);
