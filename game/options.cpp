@@ -106,10 +106,13 @@ void add_picture_options(CLI::App& command, Options& options) {
             fmt::format("Size of the picture in pixels (default {}x{})", options.size_px.x,
                         options.size_px.y))
         ->type_name("WIDTHxHEIGHT");
+    add_method_option(command, "--lighting", render::k_lighting_parameters, options.settings.lighting);
+    add_method_option(command, "--brdf", render::k_brdf_parameters, options.settings.brdf);
     add_method_option(command, "--shadows", render::k_shadow_parameters, options.settings.shadows);
     add_method_option(command, "--tonemap", render::k_tone_parameters, options.settings.tone, "exposure");
     add_field_option(command, "exposure", render::k_tone_parameters, options.settings.tone);
     add_method_option(command, "--aa", render::k_anti_aliasing_parameters, options.settings.anti_aliasing);
+    add_method_option(command, "--debug-view", render::k_debug_parameters, options.settings.debug);
 }
 
 void add_message_options(CLI::App& command, Options& options) {

@@ -70,9 +70,12 @@ void show(const OverlayState& state) {
 
 Overlay::Overlay(render::Settings& settings, std::function<void()> own_part)
     : own_part_{std::move(own_part)} {
+    add_group("lighting", bind(render::k_lighting_parameters, settings.lighting));
+    add_group("reflection model", bind(render::k_brdf_parameters, settings.brdf));
     add_group("shadows", bind(render::k_shadow_parameters, settings.shadows));
     add_group("tone mapping", bind(render::k_tone_parameters, settings.tone));
     add_group("anti-aliasing", bind(render::k_anti_aliasing_parameters, settings.anti_aliasing));
+    add_group("debugging", bind(render::k_debug_parameters, settings.debug));
 }
 
 void Overlay::add_group(std::string name, std::vector<BoundParameter> parameters) {

@@ -18,6 +18,13 @@ double median_of(const std::vector<systems::Feedback>& frames, Value systems::Fe
     return median(values);
 }
 
+std::uint64_t sum_of(const std::vector<systems::Feedback>& frames, std::uint64_t systems::Feedback::*member) {
+    std::uint64_t sum = 0;
+    for (const systems::Feedback& feedback : frames)
+        sum += feedback.*member;
+    return sum;
+}
+
 double frames_per_second(const WalkMeasures& m) {
     return m.run_s > 0.0 ? static_cast<double>(m.drawn.size()) / m.run_s : 0.0;
 }
@@ -69,6 +76,10 @@ std::string summary_text(const WalkMeasures& m) {
         "frame\n",
         m.entities, m.counts.renderables, m.counts.casters, m.counts.lights,
         median_of(m.drawn, &systems::Feedback::draws), median_of(m.drawn, &systems::Feedback::triangles));
+    text += fmt::format("{:.0f} GL calls per frame, of which {:.0f} change state, {} blocking ones in all\n",
+                        median_of(m.drawn, &systems::Feedback::gl_calls),
+                        median_of(m.drawn, &systems::Feedback::gl_state_changes),
+                        sum_of(m.drawn, &systems::Feedback::gl_blocking_calls));
     text += fmt::format("systems on the CPU: {}\n", systems_text(m));
     text += fmt::format("memory {} resident, {} on the GPU, {} GL objects\n",
                         bytes_text(static_cast<double>(held.resident_bytes)),
@@ -100,6 +111,10 @@ nlohmann::json summary_json(const WalkMeasures& m) {
             {"lights", m.counts.lights},
             {"draws_median", median_of(m.drawn, &systems::Feedback::draws)},
             {"triangles_median", median_of(m.drawn, &systems::Feedback::triangles)},
+            {"gl_calls_median", median_of(m.drawn, &systems::Feedback::gl_calls)},
+            {"gl_state_changes_median", median_of(m.drawn, &systems::Feedback::gl_state_changes)},
+            {"gl_blocking_calls", sum_of(m.drawn, &systems::Feedback::gl_blocking_calls)},
+            {"gl_pacing_waits", sum_of(m.drawn, &systems::Feedback::gl_pacing_waits)},
             {"gpu_memory_bytes", last_held(m).gpu_bytes},
             {"gl_objects", last_held(m).gl_objects}};
 }

@@ -16,6 +16,13 @@ struct DrawCounts {
     std::uint32_t draws = 0;  ///< indirect commands
     std::uint32_t calls = 0;  ///< GL draw calls
     std::uint64_t triangles = 0;
+
+    DrawCounts& operator+=(const DrawCounts& other) {
+        draws += other.draws;
+        calls += other.calls;
+        triangles += other.triangles;
+        return *this;
+    }
 };
 
 /// How a list is split into runs that share their GL state.

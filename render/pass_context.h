@@ -1,9 +1,12 @@
 #pragma once
 
+#include <span>
+
 #include "render/draw.h"
 #include "render/gl/buffer.h"
 #include "render/gl/texture.h"
 #include "render/graph/graph.h"
+#include "render/passes/light_bins.h"
 #include "render/scene_store.h"
 #include "render/settings.h"
 #include "systems/frame.h"
@@ -17,6 +20,22 @@ struct PassSamplers {
     gl::Sampler
         depth_compare;  ///< linear, clamped, GL_GEQUAL: 1 where the reference is not behind (reversed Z)
 };
+
+/// Tiles of the screen by what lighting them takes (render/shaders/tiles.glsl); made by LightListsPass.
+struct TileLists {
+    BufferHandle
+        draws{};  ///< an indirect draw per class, how tiles divide the screen, and their lights' ranges
+    BufferHandle classes{};  ///< the tiles of each class
+    BufferHandle entries{};  ///< rows of the Frame's lights
+
+    [[nodiscard]] bool valid() const { return draws.valid(); }
+};
+/// For the set-up of a pass that draws tiles.
+void read_tiles(PassBuilder& pass, const TileLists& lists);
+/// Binds the lists from BINDING_PASS_STORAGE on, and the draws.
+void bind_tiles(const PassContext& context, const TileLists& lists);
+/// Draws a quad for each tile of a class, shared::k_tile_class_…; the vertex shader is tile.vert.glsl.
+void draw_tiles(std::uint32_t tile_class);
 
 /// What one frame's passes share. Lives until the graph has run, so callbacks may capture it by reference.
 /// The frame uniforms, instances, materials and lights are bound already (shared/bindings.h).
@@ -36,8 +55,12 @@ struct FrameResources {
     DrawCounts& counts;       ///< each pass adds what it drew
     float exposure = 1.0f;    ///< pre-exposure factor, as in the frame uniforms
 
+    std::span<const BoundedLight>
+        bounded_lights{};  ///< those of the Frame's lights that can touch the picture
+    TileLists tiles{};     ///< only where lighting goes by tiles, and some light touches the picture
+
     TextureHandle depth{};          ///< GL_DEPTH_COMPONENT32F, reversed
-    TextureHandle albedo{};         ///< G-buffer RT0: GL_SRGB8_ALPHA8, alpha: material id
+    TextureHandle albedo{};         ///< G-buffer RT0: GL_RGBA8, sRGB-encoded; alpha: see gbuffer_layout.glsl
     TextureHandle normal{};         ///< G-buffer RT1: GL_RG16, octahedral
     TextureHandle surface{};        ///< G-buffer RT2: GL_RGBA8: roughness, metalness, occlusion, reflector id
     TextureHandle emission{};       ///< G-buffer RT3: GL_R11F_G11F_B10F; only when frame.emissive

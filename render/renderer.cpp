@@ -9,6 +9,7 @@
 #include "render/capture.h"
 #include "render/draw.h"
 #include "render/frame_uniforms.h"
+#include "render/gl/calls.h"
 #include "render/gl/context.h"
 #include "render/gl/framebuffer.h"
 #include "render/graph/graph.h"
@@ -97,6 +98,7 @@ struct Renderer::State {
     DrawList opaque;
     DrawList blended;
     DrawCounts counts;
+    gl::CallCounts calls_before;        ///< at the end of the last frame
     gl::Texture backbuffer;             ///< where pixels are wanted back, or no window is
     gl::Framebuffer backbuffer_reader;  ///< to copy it to the window
 
@@ -167,6 +169,12 @@ void Renderer::State::draw(const FrameInput& input, bool is_warm_up) {
     feedback.frame = input.frame.number;
     feedback.draws = counts.draws;
     feedback.triangles = counts.triangles;
+    const gl::CallCounts calls = gl::calls() - calls_before;
+    calls_before = gl::calls();
+    feedback.gl_calls = calls.total() - calls[gl::CallKind::poll] - calls[gl::CallKind::pace];
+    feedback.gl_state_changes = calls[gl::CallKind::bind] + calls[gl::CallKind::state];
+    feedback.gl_blocking_calls = calls[gl::CallKind::wait];
+    feedback.gl_pacing_waits = calls[gl::CallKind::pace];
     feedback.gl_objects = live.objects;
     feedback.gpu_memory_bytes = live.bytes;
     feedback.cpu_frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();

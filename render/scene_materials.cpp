@@ -1,5 +1,7 @@
 #include "render/scene_materials.h"
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "render/shaders/shared/bindings.h"
@@ -40,6 +42,15 @@ bool lacks_normal_z(const assets::ProcessedScene& scene, const assets::Material&
     return image.normal_map && image.swizzle[2] == assets::ChannelSource::one;
 }
 
+/// Specular reflectance at normal incidence of what is no metal: KHR_materials_ior and
+/// KHR_materials_specular. The G-buffer keeps one number, so that a coloured reflection becomes a grey one of
+/// the same luminance.
+float dielectric_f0(const assets::Material& m) {
+    const float root = m.ior == 0.0f ? 1.0f : (m.ior - 1.0f) / (m.ior + 1.0f);
+    const float colour = glm::dot(m.specular_colour, glm::vec3{0.2126f, 0.7152f, 0.0722f});
+    return std::min(root * root * colour, 1.0f) * m.specular;
+}
+
 }  // namespace
 
 shared::Material shader_material(const assets::Material& m, bool normal_z_is_missing) {
@@ -56,7 +67,7 @@ shared::Material shader_material(const assets::Material& m, bool normal_z_is_mis
             .occlusion_strength = m.occlusion_strength,
             .flags = flags,
             .alpha_mode = static_cast<std::uint32_t>(m.alpha_mode),
-            .padding0 = 0,
+            .dielectric_f0 = dielectric_f0(m),
             .padding1 = 0,
             .base_colour_uv = shader_transform(m.base_colour_texture),
             .metalness_roughness_uv = shader_transform(m.metalness_roughness_texture),

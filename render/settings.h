@@ -34,6 +34,48 @@ inline constexpr std::array k_shadow_parameters{
                                               "Offset along the normal, in shadow texels."),
 };
 
+enum class LightingPath : std::uint8_t { fullscreen, volumes, clustered, tiled, forward };
+
+/// How surfaces are lit. All paths give the same picture; they differ in what they cost.
+struct LightingParameters {
+    LightingPath path = LightingPath::tiled;
+    int tile_px = 64;
+    int slices = 16;
+    bool queries = false;
+    bool prepass = false;
+};
+inline constexpr std::array<std::string_view, 5> k_lighting_paths{"fullscreen", "volumes", "clustered",
+                                                                  "tiled", "forward"};
+inline constexpr std::array k_lighting_parameters{
+    parameter<&LightingParameters::path>("lighting", k_lighting_paths,
+                                         "How lights find the pixels that they reach."),
+    parameter<&LightingParameters::tile_px>("tile", "px", 16, 256,
+                                            "Width and height of the screen's tiles, of which each has a "
+                                            "list of lights."),
+    parameter<&LightingParameters::slices>("slices", "", 1, 64,
+                                           "clustered, forward and blending: depths that a tile's list of "
+                                           "lights is divided into."),
+    parameter<&LightingParameters::queries>("queries", "", 0, 1,
+                                            "volumes: lights that are wholly hidden, by an occlusion query "
+                                            "each, are not drawn."),
+    parameter<&LightingParameters::prepass>("prepass", "", 0, 1,
+                                            "Depth is drawn alone first, so that hidden surfaces are not "
+                                            "shaded."),
+};
+
+enum class Brdf : std::uint8_t { ggx, blinn, lambert };
+
+/// How surfaces reflect the sun and local lights.
+struct BrdfParameters {
+    Brdf model = Brdf::ggx;
+};
+inline constexpr std::array<std::string_view, 3> k_brdf_models{"ggx", "blinn", "lambert"};
+inline constexpr std::array k_brdf_parameters{
+    parameter<&BrdfParameters::model>("brdf", k_brdf_models,
+                                      "Reflection of sun and lamps: GGX as glTF has it, Blinn-Phong, or "
+                                      "Lambert without highlights."),
+};
+
 enum class ToneCurve : std::uint8_t { reinhard, filmic, aces };
 
 struct ToneParameters {
@@ -58,11 +100,43 @@ inline constexpr std::array k_anti_aliasing_parameters{
                                                "How jagged edges are smoothed."),
 };
 
+enum class DebugView : std::uint8_t {
+    off,
+    albedo,
+    normal,
+    roughness,
+    metalness,
+    occlusion,
+    emission,
+    depth,
+    shadow,
+    lights,
+    tiles,
+    overdraw,
+    luminance,
+    nonfinite
+};
+
+/// What is shown instead of the picture.
+struct DebugParameters {
+    DebugView view = DebugView::off;
+};
+inline constexpr std::array<std::string_view, 14> k_debug_views{
+    "off",   "albedo", "normal", "roughness", "metalness", "occlusion", "emission",
+    "depth", "shadow", "lights", "tiles",     "overdraw",  "luminance", "nonfinite"};
+inline constexpr std::array k_debug_parameters{
+    parameter<&DebugParameters::view>("debug-view", k_debug_views,
+                                      "Shows what a picture is made from instead of the picture."),
+};
+
 /// All that a user may choose about drawing, read anew for each Frame.
 struct Settings {
+    LightingParameters lighting;
+    BrdfParameters brdf;
     ShadowParameters shadows;
     ToneParameters tone;
     AntiAliasingParameters anti_aliasing;
+    DebugParameters debug;
 };
 
 }  // namespace rambla::render

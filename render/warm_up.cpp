@@ -10,7 +10,8 @@ namespace rambla::render {
 
 namespace {
 
-constexpr std::uint32_t k_size_px = 64;
+/// Two of the tiles that lighting divides the screen into: a lamp reaches one of them.
+constexpr glm::uvec2 k_size_px{128, 64};
 constexpr float k_near_m = 0.1f;
 constexpr float k_light_distance_m = 2.0f;
 
@@ -80,15 +81,14 @@ void add_caster(systems::CasterColumns& casters, const systems::DrawBatch& batch
 
 systems::Frame warm_up_frame(const assets::Scene& scene) {
     systems::Frame frame;
-    frame.view.size_px = glm::uvec2{k_size_px};
+    frame.view.size_px = k_size_px;
     frame.view.clip_from_view = glm::mat4{0.0f};
     frame.view.clip_from_view[0].x = 1.0f;  // 90° both ways, reversed infinite depth
     frame.view.clip_from_view[1].y = 1.0f;
     frame.view.clip_from_view[2].w = -1.0f;
     frame.view.clip_from_view[3].z = k_near_m;
     frame.environment = assets::noon();
-    frame.lights.push_back(
-        {.position_m = {0.0f, 0.0f, -0.5f * k_light_distance_m}, .radius_m = k_light_distance_m});
+    frame.lights.push_back({.position_m = {-0.4f, 0.0f, -k_light_distance_m}, .radius_m = 0.3f});
     frame.visible = {glm::vec3{-0.5f, -0.5f, -0.5f - k_light_distance_m},
                      glm::vec3{0.5f, 0.5f, 0.5f - k_light_distance_m}};
     frame.morphs.push_back({});
@@ -130,6 +130,7 @@ std::vector<FrameInput> warm_up_frames(const assets::Scene& scene) {
             FrameInput input;
             input.frame = frame;
             input.frame.emissive = emissive;
+            if (i == 2) input.frame.lights.clear();
             input.settings.tone.curve = static_cast<ToneCurve>(i);
             input.settings.anti_aliasing.method =
                 static_cast<AntiAliasing>(i % k_anti_aliasing_methods.size());

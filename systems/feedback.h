@@ -23,8 +23,12 @@ struct Feedback {
     double cpu_frame_ms = 0.0;  ///< render thread, submission included
     std::uint32_t draws = 0;    ///< indirect commands drawn, all passes
     std::uint64_t triangles = 0;
-    std::uint32_t gl_objects = 0;        ///< alive at the frame's end
-    std::uint64_t gpu_memory_bytes = 0;  ///< buffers and textures that the renderer holds
+    std::uint64_t gl_calls = 0;           ///< since the frame before, looks at fences left out
+    std::uint64_t gl_state_changes = 0;   ///< of those, what binds or sets state
+    std::uint64_t gl_blocking_calls = 0;  ///< of those, what waits for a result of the GPU
+    std::uint64_t gl_pacing_waits = 0;    ///< besides those: for room, as only so many frames are in flight
+    std::uint32_t gl_objects = 0;         ///< alive at the frame's end
+    std::uint64_t gpu_memory_bytes = 0;   ///< buffers and textures that the renderer holds
 };
 
 }  // namespace rambla::systems

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 
+#include "render/gl/calls.h"
 #include "render/gl/egl_context.h"
 
 namespace rambla::render::gl {
@@ -42,6 +43,7 @@ Context::Context(const WindowContext& window, bool errors_throw) : state_{std::m
         state_->egl.emplace(EglContext::Options{.debug = errors_throw});
     }
     require_features(describe_device());
+    count_calls();
 
     const auto report = [](GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length,
                            const GLchar* message, const void* user) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "assets/assert.h"
@@ -127,6 +128,12 @@ std::uint64_t bytes_written(const State& state, const State::PassInfo& info, con
     return sum;
 }
 
+bool draws(const State::PassInfo& pass) {
+    return pass.depth.version != graph::k_none ||
+           std::any_of(pass.colours.begin(), pass.colours.end(),
+                       [](const State::Target& target) { return target.version != graph::k_none; });
+}
+
 std::uint64_t memory_at(const State& state, std::uint32_t position) {
     std::uint64_t sum = 0;
     for (const graph::Lifetime& life : state.plan->lifetimes) {
@@ -160,7 +167,8 @@ void RenderGraph::execute(bool profile) {
         const State::PassInfo& pass = state.passes[plan.order[position]];
         const graph::Pass& declared = state.recording.passes[plan.order[position]];
         const DebugGroup group{pass.name};
-        state.timers.begin_pass(pass.name, bytes_written(state, pass, declared), memory_at(state, position));
+        state.timers.begin_pass(pass.name, draws(pass), bytes_written(state, pass, declared),
+                                memory_at(state, position));
         if (plan.barriers[position] != 0) glMemoryBarrier(barrier_bits(plan.barriers[position]));
         gl::reset_state();
         const BoundTargets bound = find_targets(state, pass);

@@ -11,14 +11,17 @@
 namespace rambla::render::graph {
 
 /// Clocks of the frames in flight. On the GPU only on request: the software rasteriser executes lazily, so a
-/// query measures its pass only when the work before it is flushed, and that costs what it costs.
+/// query measures its pass only when the work before it is flushed, and that costs what it costs. Dispatches
+/// and copies are not seen by its queries at all: what draws nothing is measured by the wall instead, between
+/// two moments at which the GPU has nothing left to do.
 class Timers {
 public:
     /// More frames than the renderer lets be in flight, so that none is taken while another begins.
     static constexpr std::size_t k_frames = 4;
 
     void begin_frame(bool profile);
-    void begin_pass(const char* name, std::uint64_t bytes_written, std::uint64_t memory_bytes);
+    /// @param draws  into attachments
+    void begin_pass(const char* name, bool draws, std::uint64_t bytes_written, std::uint64_t memory_bytes);
     void end_pass();
     void end_frame();
 
@@ -30,7 +33,8 @@ private:
     struct Record {
         bool profiled = false;
         FrameCost cost;
-        std::vector<gl::Query> elapsed;  ///< one per pass, kept for later frames
+        std::vector<std::uint8_t> draws;  ///< per pass
+        std::vector<gl::Query> elapsed;   ///< one per pass, kept for later frames
         gl::Query begin;
         gl::Query end;
     };

@@ -3,10 +3,14 @@
 #include "render/gl/program.h"
 #include "render/pass_context.h"
 #include "render/passes/blend.h"
+#include "render/passes/depth_prepass.h"
+#include "render/passes/forward.h"
 #include "render/passes/gbuffer.h"
+#include "render/passes/light_lists.h"
+#include "render/passes/light_volumes.h"
 #include "render/passes/lighting.h"
-#include "render/passes/local_lights.h"
 #include "render/passes/sky.h"
+#include "render/post/debug_view.h"
 #include "render/post/fxaa.h"
 #include "render/post/hud.h"
 #include "render/post/tonemap.h"
@@ -38,17 +42,21 @@ struct PassList<First, Rest...> {
 };
 
 /// From geometry to scene colour. A new pass is one line here, and its own file.
-using ScenePasses = PassList<GBufferPass,        //
+using ScenePasses = PassList<DepthPrePass,       //
+                             GBufferPass,        //
                              FocusedShadowPass,  //
                              ShadowResultPass,   //
+                             LightListsPass,     //
                              LightingPass,       //
-                             LocalLightsPass,    //
+                             LightVolumesPass,   //
+                             ForwardPass,        //
                              SkyPass,            //
                              BlendPass>;
 
 /// From scene colour to what is shown.
-using DisplayPasses = PassList<TonemapPass,  //
-                               FxaaPass,     //
+using DisplayPasses = PassList<TonemapPass,    //
+                               FxaaPass,       //
+                               DebugViewPass,  //
                                HudPass>;
 
 }  // namespace rambla::render

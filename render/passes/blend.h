@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
-
-#include "render/gl/program.h"
 #include "render/pass_context.h"
+#include "render/passes/forward_programs.h"
 
 namespace rambla::render {
 
@@ -11,22 +9,12 @@ namespace rambla::render {
 /// the deferred passes. Without such surfaces there is no pass.
 class BlendPass {
 public:
-    explicit BlendPass(gl::ProgramRegistry& programs);
+    explicit BlendPass(gl::ProgramRegistry& programs) : programs_{programs} {}
 
     void add(RenderGraph& graph, FrameResources& resources);
 
 private:
-    struct Variant {
-        bool shadowed = false;
-        bool wide_filter = false;
-        bool detailed = false;
-        bool skinned = false;
-        bool morphed = false;
-    };
-    [[nodiscard]] const gl::Program& program(Variant variant);
-
-    gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, 32> variants_{};
+    ForwardPrograms programs_;
 };
 
 }  // namespace rambla::render

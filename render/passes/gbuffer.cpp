@@ -1,5 +1,7 @@
 #include "render/passes/gbuffer.h"
 
+#include "render/passes/depth_prepass.h"
+
 namespace rambla::render {
 
 bool has_detail(const assets::Material& material) {
@@ -34,16 +36,18 @@ const gl::Program& GBufferPass::program(Variant variant) {
 }
 
 void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
+    if (resources.settings.lighting.path == LightingPath::forward) return;
     const auto target = [&](GLenum format) {
         return gl::TextureDesc{.format = format, .size = resources.size_px()};
     };
     const bool emissive = resources.frame.emissive;
+    const bool depth_known = resources.depth.valid();
     graph.add_pass(
         "gbuffer",
         [&](PassBuilder& pass) {
             // Colours are read only where depth says that there is geometry.
             resources.albedo =
-                pass.write_colour(0, pass.create_texture("albedo", target(GL_SRGB8_ALPHA8)), LoadOp::discard);
+                pass.write_colour(0, pass.create_texture("albedo", target(GL_RGBA8)), LoadOp::discard);
             resources.normal =
                 pass.write_colour(1, pass.create_texture("normal", target(GL_RG16)), LoadOp::discard);
             resources.surface =
@@ -52,14 +56,11 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
                 resources.emission = pass.write_colour(
                     3, pass.create_texture("emission", target(GL_R11F_G11F_B10F)), LoadOp::discard);
             }
-            resources.depth =
-                pass.write_depth(pass.create_texture("depth", target(GL_DEPTH_COMPONENT32F)), LoadOp::clear);
+            write_or_test_depth(pass, resources);
         },
-        [this, &resources, emissive](PassContext&) {
-            glEnable(GL_DEPTH_TEST);
-            glDepthFunc(GL_GREATER);
-            glDepthMask(GL_TRUE);
-            const DrawCounts drawn = resources.opaque.draw(
+        [this, &resources, emissive, depth_known](PassContext&) {
+            enable_depth(depth_known);
+            resources.counts += resources.opaque.draw(
                 resources.scene,
                 [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
                     return program(
@@ -69,9 +70,6 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
                          .skinned = pipeline.skinned,
                          .morphed = pipeline.morphed});
                 });
-            resources.counts.draws += drawn.draws;
-            resources.counts.calls += drawn.calls;
-            resources.counts.triangles += drawn.triangles;
         });
 }
 

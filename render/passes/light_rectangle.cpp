@@ -65,6 +65,8 @@ std::optional<ScreenRectangle> sphere_rectangle(const systems::FrameView& view, 
     const double depth =
         view.orthographic ? p[2][2] * farthest + p[3][2] : (p[2][2] * farthest + p[3][2]) / -farthest;
     rectangle.depth = std::clamp(static_cast<float>(depth), k_min_depth, 1.0f);
+    rectangle.nearest_m = static_cast<float>(std::max(0.0, -nearest));
+    rectangle.farthest_m = static_cast<float>(std::max(0.0, -farthest));
     return rectangle;
 }
 

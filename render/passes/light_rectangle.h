@@ -7,12 +7,15 @@
 
 namespace rambla::render {
 
-/// Part of the screen that a sphere can touch.
+/// Part of the screen, and of the depths behind it, that a sphere can touch.
 struct ScreenRectangle {
     glm::vec2 min{-1.0f};  ///< clip space, [−1, 1]
     glm::vec2 max{1.0f};
     float depth =
         0.0f;  ///< of the sphere's point farthest from the eye, > 0: what lies behind is out of its reach
+    float nearest_m =
+        0.0f;  ///< from the eye's plane to the sphere, along the view; 0 where it reaches behind
+    float farthest_m = 0.0f;  ///< the same to its far side
 };
 
 /// Bounds of a sphere on the screen, exact but for what the near plane cuts off.

@@ -1,30 +1,57 @@
 #include "render/passes/lighting.h"
 
+#include <string>
+
 #include "render/shaders/shared/bindings.h"
 
 namespace rambla::render {
 
-LightingPass::LightingPass(gl::ProgramRegistry& programs) : programs_{programs} {
-    static_cast<void>(program(true, false));
+LightingPass::LightingPass(gl::ProgramRegistry& programs) : programs_{programs} {}
+
+LightingPass::LocalLights LightingPass::local_lights_of(const FrameResources& resources) {
+    if (resources.bounded_lights.empty()) return LocalLights::none;
+    switch (resources.settings.lighting.path) {
+        case LightingPath::fullscreen:
+            return LocalLights::all;
+        case LightingPath::clustered:
+            return LocalLights::cell;
+        case LightingPath::tiled:
+            return LocalLights::tile;
+        case LightingPath::volumes:
+        case LightingPath::forward:
+            break;
+    }
+    return LocalLights::none;
 }
 
-const gl::Program& LightingPass::program(bool shadowed, bool emissive) {
-    const gl::Program*& variant = variants_[(shadowed ? 1u : 0u) | (emissive ? 2u : 0u)];
+const gl::Program& LightingPass::program(Variant v) {
+    const std::size_t index = (v.shadowed ? 1u : 0u) + (v.emissive ? 2u : 0u) + (v.tiles ? 4u : 0u) +
+                              8u * static_cast<std::size_t>(v.local_lights) +
+                              32u * static_cast<std::size_t>(v.brdf);
+    const gl::Program*& variant = variants_[index];
     if (variant == nullptr) {
+        const bool lamp_lit = v.local_lights == LocalLights::tile;
         variant = &programs_.get(
             {.name = "lighting",
-             .vertex = "full_screen.vert.glsl",
+             .vertex = v.tiles ? "tile.vert.glsl" : "full_screen.vert.glsl",
              .fragment = "lighting.frag.glsl",
              .compute = {},
-             .defines = {{"SHADOW_RESULT", shadowed ? "1" : "0"}, {"EMISSION", emissive ? "1" : "0"}}});
+             .defines = {{"SHADOW_RESULT", v.shadowed ? "1" : "0"},
+                         {"EMISSION", v.emissive ? "1" : "0"},
+                         {"LOCAL_LIGHTS", std::to_string(static_cast<int>(v.local_lights))},
+                         {"TILE_CLASS", lamp_lit ? "k_tile_class_lamp_lit" : "k_tile_class_sky_lit"},
+                         {"BRDF", std::to_string(static_cast<int>(v.brdf))}}});
     }
     return *variant;
 }
 
 void LightingPass::add(RenderGraph& graph, FrameResources& resources) {
-    const bool shadowed = resources.shadow_result.valid();
-    const bool emissive = resources.emission.valid();
-    const gl::Program& light = program(shadowed, emissive);
+    if (resources.settings.lighting.path == LightingPath::forward) return;
+    Variant variant{.shadowed = resources.shadow_result.valid(),
+                    .emissive = resources.emission.valid(),
+                    .local_lights = local_lights_of(resources),
+                    .brdf = resources.settings.brdf.model};
+    variant.tiles = variant.local_lights == LocalLights::tile;
     graph.add_pass(
         "lighting",
         [&](PassBuilder& pass) {
@@ -33,25 +60,42 @@ void LightingPass::add(RenderGraph& graph, FrameResources& resources) {
                  {resources.depth, resources.albedo, resources.normal, resources.surface}) {
                 pass.read(target);
             }
-            if (shadowed) pass.read(resources.shadow_result);
-            if (emissive) pass.read(resources.emission);
+            if (variant.shadowed) pass.read(resources.shadow_result);
+            if (variant.emissive) pass.read(resources.emission);
+            if (variant.tiles) read_tiles(pass, resources.tiles);
             const TextureHandle colour =
                 pass.create_texture("scene colour", {.format = GL_RGBA16F, .size = resources.size_px()});
             resources.scene_colour = pass.write_colour(0, colour, LoadOp::discard);
         },
-        [&resources, &light, shadowed, emissive](PassContext& context) {
+        [this, &resources, variant](PassContext& context) {
             const gl::Sampler& nearest = resources.samplers.nearest;
             context.bind_texture(UNIT_PASS, resources.depth, nearest);
             context.bind_texture(UNIT_PASS + 1, resources.albedo, nearest);
             context.bind_texture(UNIT_PASS + 2, resources.normal, nearest);
             context.bind_texture(UNIT_PASS + 3, resources.surface, nearest);
-            if (shadowed) context.bind_texture(UNIT_PASS + 4, resources.shadow_result, nearest);
-            if (emissive) context.bind_texture(UNIT_PASS + 5, resources.emission, nearest);
+            if (variant.shadowed) context.bind_texture(UNIT_PASS + 4, resources.shadow_result, nearest);
+            if (variant.emissive) context.bind_texture(UNIT_PASS + 5, resources.emission, nearest);
             glEnable(GL_DEPTH_TEST);
             glDepthFunc(GL_LESS);
-            light.use();
-            context.draw_full_screen();
+            if (variant.tiles) {
+                draw_by_tiles(context, resources, variant);
+            } else {
+                program(variant).use();
+                context.draw_full_screen();
+            }
         });
+}
+
+void LightingPass::draw_by_tiles(PassContext& context, const FrameResources& resources, Variant variant) {
+    bind_tiles(context, resources.tiles);
+    no_vertices_.bind();
+    program(variant).use();
+    draw_tiles(shared::k_tile_class_lamp_lit);
+    variant.local_lights = LocalLights::none;
+    program(variant).use();
+    draw_tiles(shared::k_tile_class_sky_lit);
+    resources.counts.draws += 2;
+    resources.counts.calls += 2;
 }
 
 }  // namespace rambla::render

@@ -1,6 +1,8 @@
-// Sun, sky and emission of every pixel that shows geometry. Defines: SHADOW_RESULT, EMISSION.
+// Sun, sky and emission of every pixel that shows geometry, and local lights. Defines: SHADOW_RESULT, EMISSION,
+// LOCAL_LIGHTS, BRDF.
 #include "gbuffer_read.glsl"
 #include "sun_and_sky.glsl"
+#include "local_lights.glsl"
 #include "colour.glsl"
 
 #if SHADOW_RESULT
@@ -19,7 +21,8 @@ void main() {
 #if SHADOW_RESULT
     lit = texelFetch(shadow_result, pixel, 0).x;
 #endif
-    vec3 radiance = sky_light(p.surface, p.to_eye) + sun_light(p.surface, p.to_eye, lit);
+    vec3 radiance = sky_light(p.surface, p.to_eye) + sun_light(p.surface, p.to_eye, lit) +
+                    local_lights(p.surface, p.position, p.to_eye, p.distance_m);
     radiance = p.lit ? radiance : vec3(0.0);
 #if EMISSION
     radiance += texelFetch(emission_target, pixel, 0).rgb;

@@ -1,4 +1,4 @@
-// Vertices of the G-buffer and blend passes. Defines: those of material.glsl and deform.glsl.
+// Vertices of all passes that draw the scene's surfaces for an eye. Defines: those of material.glsl and deform.glsl.
 #include "frame.glsl"
 #include "deform.glsl"
 
@@ -11,6 +11,8 @@ layout(location = ATTRIBUTE_COLOUR) in vec4 vertex_colour;
 
 #define VARYING out
 #include "mesh_varyings.glsl"
+
+invariant gl_Position;  ///< the depth pre-pass and those that shade must agree to the bit
 
 void main() {
     Instance instance = skinned(instances[gl_BaseInstanceARB + gl_InstanceID]);

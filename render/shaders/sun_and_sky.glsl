@@ -11,7 +11,7 @@ Surroundings frame_surroundings() {
 vec3 sky_light(Surface s, vec3 to_eye) {
     Surroundings surroundings = frame_surroundings();
     float n_dot_v = clamp(dot(s.normal, to_eye), k_min_n_dot_v, 1.0);
-    vec3 reflectance = environment_reflectance(s.f0, s.roughness, n_dot_v);
+    vec3 reflectance = environment_reflectance(s.f0, s.f90, s.roughness, n_dot_v);
     vec3 diffuse = (1.0 - reflectance) * s.diffuse * diffuse_ambient(surroundings, s.normal) * s.occlusion;
     vec3 mirrored = reflect(-to_eye, s.normal);
     vec3 specular = reflectance * specular_ambient(surroundings, mirrored, s.roughness) *

@@ -102,15 +102,12 @@ void FocusedShadowPass::add(RenderGraph& graph, FrameResources& resources) {
             glDepthFunc(GL_GREATER);
             glDepthMask(GL_TRUE);
             glEnable(GL_DEPTH_CLAMP);
-            const DrawCounts drawn = casters_.draw(
+            resources.counts += casters_.draw(
                 resources.scene, [this](systems::Pipeline pipeline, std::uint32_t) -> const gl::Program& {
                     return program(pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask),
                                    pipeline.skinned, pipeline.morphed);
                 });
             glDisable(GL_DEPTH_CLAMP);
-            resources.counts.draws += drawn.draws;
-            resources.counts.calls += drawn.calls;
-            resources.counts.triangles += drawn.triangles;
         });
 }
 

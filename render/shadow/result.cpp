@@ -22,7 +22,8 @@ const gl::Program& ShadowResultPass::program(ShadowTaps taps) {
 }
 
 void ShadowResultPass::add(RenderGraph& graph, FrameResources& resources) {
-    if (!resources.shadow_map.valid()) return;
+    const bool deferred = resources.normal.valid();  // else surfaces look the map up as they are drawn
+    if (!resources.shadow_map.valid() || !deferred) return;
     const gl::Program& lookup = program(resources.settings.shadows.taps);
     graph.add_pass(
         "shadow result",

@@ -57,9 +57,9 @@ TEST(Blending, LightsGlassAsOpaqueSurfacesAreLit) {
     ASSERT_TRUE(forward.has_pass("blend"));
     for (const std::uint32_t x : {44u, 64u, 84u}) {
         const glm::vec3 expected = deferred.radiance(x, 60), found = forward.radiance(x, 60);
-        // The G-buffer rounds albedo and roughness to bytes: up to 1 % of what is reflected.
+        // Both round what they light to what the G-buffer keeps; half floats carry 11 bits.
         for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(found[c], expected[c], 0.01f * expected[c]) << x;
+            EXPECT_NEAR(found[c], expected[c], 2e-3f * expected[c]) << x;
     }
 }
 

@@ -177,6 +177,25 @@ TEST(ShaderFunctions, SrgbEncodingIsWithinHalfAStep) {
     EXPECT_EQ(found.back().z, 1.0f);
 }
 
+TEST(ShaderFunctions, SrgbDecodingReturnsEveryByteAndIsWithinATenthOfAStep) {
+    ShaderHarness gpu;
+    Inputs inputs;
+    for (int byte = 0; byte < 256; ++byte)
+        add(inputs, {byte / 255.0f, 0, 0, 0});
+    const std::vector<glm::vec4> found = gpu.run(
+        "colour.glsl", "result.x = decode_srgb(a.xxx).x; result.y = encode_srgb(result.xxx).x;", inputs);
+    for (int byte = 0; byte < 256; ++byte) {
+        const double x = byte / 255.0;
+        const double exact = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+        const double slope = x <= 0.04045 ? 1.0 / 12.92 : 2.4 / 1.055 * std::pow((x + 0.055) / 1.055, 1.4);
+        const glm::vec4& at = found[static_cast<std::size_t>(byte)];
+        EXPECT_NEAR(at.x, exact, 0.1 * slope / 255.0) << byte;
+        EXPECT_NEAR(at.y * 255.0, byte, 0.1);
+    }
+    EXPECT_EQ(found[0].x, 0.0f);
+    EXPECT_NEAR(found[255].x, 1.0f, 1e-6f);
+}
+
 TEST(ShaderFunctions, StorableRadianceHoldsNothingNonFinite) {
     ShaderHarness gpu;
     const float infinity = std::numeric_limits<float>::infinity();

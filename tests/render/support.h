@@ -145,15 +145,11 @@ public:
             thread_ = std::make_unique<render::RenderThread>(options);
         }
         thread_->upload(std::make_shared<assets::Scene>(scene), process(scene));
-        render::FrameInput& input = thread_->begin();
-        pack();
-        input.frame = frame;
-        input.settings = settings;
-        thread_->submit();
-        thread_->finish();
-        std::vector<render::FrameOutput> outputs = thread_->collect();
-        return take(outputs.back());
+        return take(draw_uploaded(true));
     }
+
+    /// Draws once more what draw() has uploaded, without taking pictures.
+    [[nodiscard]] systems::Feedback redraw() { return draw_uploaded(false).feedback; }
 
     assets::Scene scene;
     std::vector<Thing> things;
@@ -164,6 +160,17 @@ public:
         quick_process;
 
 private:
+    render::FrameOutput draw_uploaded(bool captured) {
+        render::FrameInput& input = thread_->begin();
+        pack();
+        input.frame = frame;
+        input.frame.capture = {.display = captured, .linear = captured};
+        input.settings = settings;
+        thread_->submit();
+        thread_->finish();
+        return std::move(thread_->collect().back());
+    }
+
     void pack() {
         frame.instances.clear();
         frame.joints.clear();
@@ -173,7 +180,6 @@ private:
         frame.blended.clear();
         frame.casters = {};
         frame.emissive = false;
-        frame.capture = {.display = true, .linear = true};
         for (const Thing& thing : things)
             pack(thing);
     }

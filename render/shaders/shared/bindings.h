@@ -7,13 +7,15 @@
 #define BINDING_PASS_UNIFORMS 1   // each pass's own block
 
 // Shader storage blocks.
-#define BINDING_INSTANCES 0     // shared/instance.h, bound for the whole frame
-#define BINDING_MATERIALS 1     // shared/material.h, bound for the whole frame
-#define BINDING_LIGHTS 2        // shared/light.h, bound for the whole frame
-#define BINDING_JOINTS 3        // shared/deformation.h, bound for the whole frame
-#define BINDING_MORPH_TERMS 4   // shared/deformation.h, bound for the whole frame
-#define BINDING_MORPHS 5        // render/scene_morphs.h, bound for the whole frame
-#define BINDING_PASS_STORAGE 6  // first of each pass's own
+#define BINDING_INSTANCES 0      // shared/instance.h, bound for the whole frame
+#define BINDING_MATERIALS 1      // shared/material.h, bound for the whole frame
+#define BINDING_LIGHTS 2         // shared/light.h, bound for the whole frame
+#define BINDING_JOINTS 3         // shared/deformation.h, bound for the whole frame
+#define BINDING_MORPH_TERMS 4    // shared/deformation.h, bound for the whole frame
+#define BINDING_MORPHS 5         // render/scene_morphs.h, bound for the whole frame
+#define BINDING_LIGHT_CELLS 6    // shared/light_cells.h, bound for the whole frame where anything reads it
+#define BINDING_LIGHT_ENTRIES 7  // rows of the lights, cell by cell; as above
+#define BINDING_PASS_STORAGE 8   // first of each pass's own
 
 // Texture units. Material textures are bound by render/draw.h, the others by each pass.
 #define UNIT_BASE_COLOUR 0

@@ -6,11 +6,11 @@
 
 SHARED_BEGIN
 struct LightRectangle {
-    vec4 ndc;     // left, bottom, right, top in [−1, 1]
-    float depth;  // of the light's point farthest from the eye: pixels behind it are out of reach
-    uint light;   // row of the frame's lights
+    vec4 ndc;          // left, bottom, right, top in [−1, 1]
+    float depth;       // of the light's point farthest from the eye: pixels behind it are out of reach
+    uint light;        // row of the frame's lights
+    float near_depth;  // of its nearest point: pixels before that are out of reach, too
     uint padding0;
-    uint padding1;
 };
 SHARED_END
 

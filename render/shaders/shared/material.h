@@ -28,7 +28,7 @@ struct Material {
     float occlusion_strength;
     uint flags;       // k_material_…
     uint alpha_mode;  // assets::AlphaMode
-    uint padding0;
+    float dielectric_f0;  // what it reflects at normal incidence where it is no metal
     uint padding1;
     UvTransform base_colour_uv;
     UvTransform metalness_roughness_uv;

@@ -1,0 +1,90 @@
+#include "render/gl/calls.h"
+
+#include <epoxy/gl.h>
+
+namespace rambla::render::gl {
+namespace {
+
+CallCounts g_counts;
+
+void count(CallKind kind) {
+    ++g_counts.of_kind[static_cast<std::size_t>(kind)];
+}
+
+/// A wait for a fence is none where its time is 0: then it only asks.
+template <class... Arguments>
+CallKind kind_of_call(CallKind kind, const Arguments&...) {
+    return kind;
+}
+CallKind kind_of_call(CallKind, GLsync, GLbitfield, GLuint64 timeout_ns) {
+    return timeout_ns == 0 ? CallKind::poll : CallKind::pace;
+}
+
+/// Stands in libepoxy's table in the place of one function. That entry is a resolver at first, which puts
+/// the function that it finds there and calls what stands there then: so the entry is its own during a call.
+template <auto Entry, CallKind Kind>
+struct Counted;
+
+template <class Result, class... Arguments, Result (**Entry)(Arguments...), CallKind Kind>
+struct Counted<Entry, Kind> {
+    static inline Result (*real)(Arguments...) = nullptr;
+
+    static Result call(Arguments... arguments) {
+        struct TakeBack {
+            ~TakeBack() { take(); }
+        } const take_back;
+        count(kind_of_call(Kind, arguments...));
+        *Entry = real;
+        return real(arguments...);
+    }
+    static void take() {
+        if (*Entry == &call) return;
+        real = *Entry;
+        *Entry = &call;
+    }
+};
+
+template <CallKind Kind, auto... Entries>
+void take_all() {
+    (Counted<Entries, Kind>::take(), ...);
+}
+
+}  // namespace
+
+// Every GL function that the renderer uses; a test compares the list with the sources.
+void count_calls() {
+    take_all<CallKind::draw, &glBlitNamedFramebuffer, &glClearNamedBufferSubData, &glClearNamedFramebufferfv,
+             &glDispatchCompute, &glDrawArrays, &glDrawArraysIndirect, &glDrawArraysInstanced,
+             &glDrawArraysInstancedBaseInstance, &glDrawElementsBaseVertex, &glInvalidateNamedFramebufferData,
+             &glMultiDrawElementsIndirect>();
+    take_all<CallKind::bind, &glBindBuffer, &glBindBufferBase, &glBindBufferRange, &glBindBuffersBase,
+             &glBindFramebuffer, &glBindSampler, &glBindSamplers, &glBindTextureUnit, &glBindTextures,
+             &glBindVertexArray, &glUniform4f, &glUseProgram>();
+    take_all<CallKind::state, &glBlendFunc, &glClipControl, &glColorMask, &glCullFace, &glDepthFunc,
+             &glDepthMask, &glDisable, &glEnable, &glFrontFace, &glPixelStorei, &glScissor, &glViewport>();
+    take_all<CallKind::transfer, &glCompressedTextureSubImage2D, &glGetTextureImage, &glMapNamedBufferRange,
+             &glNamedBufferSubData, &glTextureSubImage2D, &glUnmapNamedBuffer>();
+    take_all<CallKind::object, &glAttachShader, &glCheckNamedFramebufferStatus, &glCompileShader,
+             &glCreateBuffers, &glCreateFramebuffers, &glCreateProgram, &glCreateQueries, &glCreateSamplers,
+             &glCreateShader, &glCreateTextures, &glCreateVertexArrays, &glDeleteBuffers,
+             &glDeleteFramebuffers, &glDeleteProgram, &glDeleteQueries, &glDeleteSamplers, &glDeleteShader,
+             &glDeleteTextures, &glDeleteVertexArrays, &glDetachShader, &glEnableVertexArrayAttrib,
+             &glGetInteger64v, &glGetProgramInfoLog, &glGetProgramiv, &glGetShaderInfoLog, &glGetShaderiv,
+             &glGetString, &glLinkProgram, &glNamedBufferStorage, &glNamedFramebufferDrawBuffers,
+             &glNamedFramebufferTexture, &glSamplerParameteri, &glShaderSource, &glTextureParameteriv,
+             &glTextureStorage2D, &glTextureStorage3D, &glVertexArrayAttribBinding,
+             &glVertexArrayAttribFormat, &glVertexArrayAttribIFormat, &glVertexArrayElementBuffer,
+             &glVertexArrayVertexBuffer>();
+    take_all<CallKind::query, &glBeginConditionalRender, &glBeginQuery, &glDebugMessageCallback,
+             &glDebugMessageControl, &glDeleteSync, &glEndConditionalRender, &glEndQuery, &glFenceSync,
+             &glFlush, &glMemoryBarrier, &glObjectLabel, &glPopDebugGroup, &glPushDebugGroup,
+             &glQueryCounter>();
+    take_all<CallKind::wait, &glFinish, &glGetQueryObjectui64v>();
+    take_all<CallKind::pace, &glClientWaitSync>();
+}
+
+CallCounts calls() {
+    return g_counts;
+}
+
+}  // namespace rambla::render::gl

@@ -1,0 +1,38 @@
+#include "render/passes/forward_programs.h"
+
+#include <string>
+
+namespace rambla::render {
+namespace {
+
+const char* flag(bool on) {
+    return on ? "1" : "0";
+}
+
+}  // namespace
+
+const gl::Program& ForwardPrograms::get(Variant v) {
+    const std::size_t index = (v.blended ? 1u : 0u) | (v.masked ? 2u : 0u) | (v.detailed ? 4u : 0u) |
+                              (v.emissive ? 8u : 0u) | (v.skinned ? 16u : 0u) | (v.morphed ? 32u : 0u) |
+                              (v.shadowed ? 64u : 0u) | (v.wide_filter ? 128u : 0u) |
+                              static_cast<std::size_t>(v.brdf) << 8u;
+    if (variants_[index] == nullptr) {
+        variants_[index] = &programs_.get({.name = v.blended ? "blend" : "forward",
+                                           .vertex = "mesh.vert.glsl",
+                                           .fragment = "forward.frag.glsl",
+                                           .compute = {},
+                                           .defines = {{"BLENDED", flag(v.blended)},
+                                                       {"ALPHA_MASK", flag(v.masked)},
+                                                       {"DETAIL", flag(v.detailed)},
+                                                       {"EMISSION", flag(v.emissive)},
+                                                       {"SKINNED", flag(v.skinned)},
+                                                       {"MORPHED", flag(v.morphed)},
+                                                       {"SHADOW_MAP", flag(v.shadowed)},
+                                                       {"TAPS", v.wide_filter ? "16" : "4"},
+                                                       {"LOCAL_LIGHTS", "LOCAL_LIGHTS_CELL"},
+                                                       {"BRDF", std::to_string(static_cast<int>(v.brdf))}}});
+    }
+    return *variants_[index];
+}
+
+}  // namespace rambla::render

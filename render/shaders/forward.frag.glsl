@@ -1,0 +1,69 @@
+// Surfaces lit as they are drawn, as deferred shading would light what the G-buffer keeps of them. Blended ones come out
+// premultiplied, so that glass keeps its highlights however clear it is. Defines: BLENDED, ALPHA_MASK, SHADOW_MAP,
+// TAPS, LOCAL_LIGHTS, BRDF, and those of material.glsl.
+#include "material.glsl"
+#include "gbuffer_layout.glsl"
+#include "to_eye.glsl"
+#include "sun_and_sky.glsl"
+#include "local_lights.glsl"
+#include "colour.glsl"
+#if SHADOW_MAP
+#include "shadow_lookup.glsl"
+layout(binding = UNIT_PASS) uniform sampler2DShadow sun_shadow_map;
+layout(std140, binding = BINDING_PASS_UNIFORMS) uniform SunShadowBlock {
+    SunShadow shadow;
+};
+#endif
+
+layout(location = 0) out vec4 out_radiance;
+
+/// As the shadow result's byte holds it.
+float sun_reaches(vec3 normal) {
+#if SHADOW_MAP
+    vec3 to_sun = frame.direction_to_sun.xyz;
+    vec3 point = shadow_receiver(varyings.position, normal, to_sun, shadow.bias_m);
+    vec3 place = (shadow.map_from_world * vec4(point, 1.0)).xyz;
+#if TAPS == 16
+    float lit = shadow_pcf_16(sun_shadow_map, place.xy, place.z, shadow.size_texels);
+#else
+    float lit = shadow_pcf_4(sun_shadow_map, place.xy, place.z, shadow.size_texels);
+#endif
+    lit = dot(normal, to_sun) > 0.0 ? shadow_fade(lit, length(varyings.position), shadow.fade) : 0.0;
+    return round(lit * 255.0) / 255.0;
+#else
+    return 1.0;
+#endif
+}
+
+void main() {
+    Material m = materials[varyings.material];
+    vec4 base = sample_base_colour(m);
+#if ALPHA_MASK
+    if (base.a < m.emissive_cutoff.a) discard;
+#endif
+    vec3 normal = interpolated_normal();
+#if DETAIL
+    vec3 mapped = mapped_normal(m, normal);  // outside any branch: its texture needs derivatives
+    normal = (m.flags & k_material_has_normal_texture) != 0u ? mapped : normal;
+#endif
+    normal = kept_normal(normal);
+    vec3 kept = kept_surface(sample_surface(m));
+    Surface s = make_surface(normal, kept_albedo(base.rgb), kept.x, kept.y, kept.z,
+                             kept_reflectance(m.dielectric_f0));
+    vec3 to_eye = direction_to_eye(varyings.position);
+    float distance_m = dot(varyings.position, -frame.world_from_view[2].xyz);
+
+    vec3 radiance = sky_light(s, to_eye) + sun_light(s, to_eye, sun_reaches(normal)) +
+                    local_lights(s, varyings.position, to_eye, distance_m);
+    bool unlit = (m.flags & k_material_unlit) != 0u;
+    radiance = unlit ? vec3(0.0) : radiance;
+#if EMISSION
+    radiance += kept_emission(unlit ? base.rgb : sample_emission(m));
+#endif
+#if BLENDED
+    float alpha = clamp(base.a, 0.0, 1.0);
+#else
+    const float alpha = 1.0;
+#endif
+    out_radiance = vec4(storable_radiance(radiance * (alpha * frame.exposure.x)), alpha);
+}

@@ -1,0 +1,89 @@
+// What a frame does not call for costs no GL call and no memory.
+#include <gtest/gtest.h>
+
+#include "render/support.h"
+
+namespace {
+
+using namespace rambla;
+using tests::matte;
+using tests::Stage;
+
+/// Frames after which the graph's pool has let go of what nobody asked for since.
+constexpr int k_settling_frames = 40;
+
+struct Held {
+    std::uint64_t calls = 0;
+    std::uint64_t bytes = 0;
+    bool operator==(const Held&) const = default;
+};
+
+std::ostream& operator<<(std::ostream& out, const Held& held) {
+    return out << held.calls << " calls, " << held.bytes << " bytes";
+}
+
+Held settled(Stage& stage) {
+    Held held;
+    for (int i = 0; i < k_settling_frames; ++i) {
+        const systems::Feedback feedback = stage.redraw();
+        held = {feedback.gl_calls, feedback.gpu_memory_bytes};
+    }
+    return held;
+}
+
+TEST(UnusedEffects, LeaveTheFrameAsItWasToTheCallAndTheByte) {
+    Stage stage;
+    stage.place(stage.square(), stage.material(matte()), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    stage.frame.environment = tests::only_sun({0, 0, 1});
+    static_cast<void>(stage.draw());
+    const Held plain = settled(stage);
+    ASSERT_GT(plain.calls, 50u);
+
+    const auto changes_and_comes_back = [&](const char* what, auto&& add, auto&& remove) {
+        add();
+        const Held with = settled(stage);
+        EXPECT_NE(with.calls, plain.calls) << what;
+        remove();
+        EXPECT_EQ(settled(stage), plain) << what;
+    };
+    render::Settings& settings = stage.settings;
+    const systems::FrameLight lamp{
+        .position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 1.5f, .intensity = glm::vec3{5.0f}};
+    for (const auto path : {render::LightingPath::tiled, render::LightingPath::volumes,
+                            render::LightingPath::clustered, render::LightingPath::forward}) {
+        changes_and_comes_back(
+            render::k_lighting_paths[static_cast<std::size_t>(path)].data(),
+            [&] {
+                stage.frame.lights = {lamp};
+                settings.lighting.path = path;
+            },
+            [&] {
+                stage.frame.lights.clear();
+                settings.lighting.path = render::LightingPath::tiled;
+            });
+    }
+    changes_and_comes_back(
+        "pre-pass", [&] { settings.lighting.prepass = true; }, [&] { settings.lighting.prepass = false; });
+    changes_and_comes_back(
+        "no shadows", [&] { settings.shadows.method = render::ShadowMethod::off; },
+        [&] { settings.shadows.method = render::ShadowMethod::focused; });
+    changes_and_comes_back(
+        "no anti-aliasing", [&] { settings.anti_aliasing.method = render::AntiAliasing::none; },
+        [&] { settings.anti_aliasing.method = render::AntiAliasing::fxaa; });
+    changes_and_comes_back(
+        "overdraw", [&] { settings.debug.view = render::DebugView::overdraw; },
+        [&] { settings.debug.view = render::DebugView::off; });
+}
+
+TEST(UnusedEffects, ALampOutOfViewCostsNoCall) {
+    Stage stage;
+    stage.place(stage.square(), stage.material(matte()), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    stage.frame.environment = tests::only_sun({0, 0, 1});
+    static_cast<void>(stage.draw());
+    const Held plain = settled(stage);
+    stage.frame.lights = {
+        {.position_m = glm::vec3{0, 0, 50}, .radius_m = 1.5f, .intensity = glm::vec3{5.0f}}};
+    EXPECT_EQ(settled(stage).calls, plain.calls);
+}
+
+}  // namespace
