@@ -24,6 +24,7 @@
 #include "game/options.h"
 #include "game/scene_cache.h"
 #include "game/view_session.h"
+#include "game/walk_report.h"
 #include "game/window.h"
 #include "render/render_thread.h"
 #include "systems/components.h"
@@ -110,11 +111,12 @@ int draw_picture(const ViewCommand& command, Stage& stage, systems::Eye eye,
     const bool linear = command.out.extension() == ".exr";
     eye.size_px = command.options.size_px;
     render::RenderThread thread{{.window = {}, .shaders = {}, .gl_errors_throw = false}};
-    thread.upload(stage.scene, prepare_scene(*stage.scene, thread.device(), command.options.quiet).scene);
+    hand_over(prepare_scene(*stage.scene, thread.device(), command.options.quiet), stage, thread);
     render::FrameInput& input = thread.begin();
     systems::build_frame(*stage.world, eye, 1.0f, input.frame);
     input.frame.capture = {.display = !linear, .linear = linear};
     input.settings = settings;
+    input.complete_textures = true;
     const systems::FrameCounts counts = input.frame.counts;
     thread.submit();
     thread.finish();
@@ -129,7 +131,8 @@ int draw_picture(const ViewCommand& command, Stage& stage, systems::Eye eye,
                         {"visible", counts.visible},
                         {"lights", counts.lights},
                         {"draws", outputs.at(0).feedback.draws},
-                        {"triangles", outputs.at(0).feedback.triangles}};
+                        {"triangles", outputs.at(0).feedback.triangles},
+                        {"textures", textures_json(outputs.at(0).feedback.textures)}};
     add_clip(json, stage);
     write_json(command.options.json, json);
     spdlog::info("Wrote {}", command.out.string());
