@@ -28,7 +28,7 @@ inline constexpr Swizzle k_no_swizzle{ChannelSource::red, ChannelSource::green, 
 struct TextureLevel {
     std::uint32_t width = 0;   ///< texels, not rounded up to blocks
     std::uint32_t height = 0;  ///< texels
-    std::size_t offset = 0;    ///< of TextureData::bytes
+    std::size_t offset = 0;    ///< of TextureData::bytes; 0 where those are not there
     std::size_t size = 0;      ///< bytes; blocks of 4×4 texels, those at the rim whole
     /// Root mean square difference that compression made, over the channels that are used, in the picture's
     /// own encoding with white as 1.
@@ -43,6 +43,7 @@ struct TextureData {
     Swizzle swizzle = k_no_swizzle;
     bool normal_map = false;           ///< x and y alone are certain: z = √(1 − x² − y²)
     std::vector<TextureLevel> levels;  ///< finest first, down to 1×1
+    std::uint32_t first_stored = 0;    ///< of finer levels than this one the bytes are not here
     std::vector<std::byte> bytes;
 };
 

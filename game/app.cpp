@@ -54,7 +54,7 @@ public:
           shaders_{ShaderFolder::of_build()},
           thread_{{.window = window_.context(), .shaders = shaders_.source(), .gl_errors_throw = false}} {
         hud_.walking = options.walking;
-        thread_.upload(stage.scene, prepare_scene(*stage.scene, thread_.device(), options.quiet).scene);
+        hand_over(prepare_scene(*stage.scene, thread_.device(), options.quiet), stage, thread_);
     }
 
     std::uint64_t run(const Update& update) {
@@ -115,6 +115,7 @@ private:
         frame.settings = settings_;
         frame.profile = hud_.timings;
         frame.draw_graph = false;
+        frame.complete_textures = false;
         frame.reload_shaders = shaders_.exists() && shaders_.changed(now);
         if (frame.reload_shaders) hud_.shader_error.clear();
         counts_ = frame.frame.counts;

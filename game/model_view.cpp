@@ -13,6 +13,7 @@
 #include "game/scene_cache.h"
 #include "game/scene_camera.h"
 #include "game/shown_bounds.h"
+#include "game/walk_report.h"
 #include "systems/components.h"
 #include "systems/position.h"
 
@@ -85,15 +86,16 @@ ModelView view_model(const fs::path& file, const ViewWishes& wishes) {
     return view;
 }
 
-ModelPicture draw_model(render::RenderThread& thread, const ModelView& view, bool linear, bool quiet,
+ModelPicture draw_model(render::RenderThread& thread, ModelView& view, bool linear, bool quiet,
                         std::shared_ptr<const void> hud) {
-    const Stage& stage = view.stage;
-    thread.upload(stage.scene, prepare_scene(*stage.scene, thread.device(), quiet).scene);
+    Stage& stage = view.stage;
+    hand_over(prepare_scene(*stage.scene, thread.device(), quiet), stage, thread);
     render::FrameInput& input = thread.begin();
     systems::build_frame(*stage.world, view.eye, 1.0f, input.frame);
     input.frame.capture = {.display = !linear, .linear = linear};
     input.frame.hud = std::move(hud);
     input.settings = view.settings;
+    input.complete_textures = true;
     const systems::FrameCounts counts = input.frame.counts;
     thread.submit();
     thread.finish();
@@ -108,7 +110,8 @@ nlohmann::json picture_facts(const ModelView& view, const ModelPicture& picture)
                          {"visible", picture.counts.visible},
                          {"lights", picture.counts.lights},
                          {"draws", picture.feedback.draws},
-                         {"triangles", picture.feedback.triangles}};
+                         {"triangles", picture.feedback.triangles},
+                         {"textures", textures_json(picture.feedback.textures)}};
     facts.update(clip_facts(view.stage));
     return facts;
 }

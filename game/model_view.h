@@ -54,10 +54,11 @@ struct ModelPicture {
 /// Draws one picture of a model, after everything that the thread had to do before.
 /// @param linear  linear light for an EXR file, else what a screen shows
 /// @param hud     what lies over a picture for the screen; may be null
-[[nodiscard]] ModelPicture draw_model(render::RenderThread& thread, const ModelView& view, bool linear,
-                                      bool quiet, std::shared_ptr<const void> hud);
+[[nodiscard]] ModelPicture draw_model(render::RenderThread& thread, ModelView& view, bool linear, bool quiet,
+                                      std::shared_ptr<const void> hud);
 
-/// What was drawn, for results: entities, visible, lights, draws, triangles, and those of clip_facts().
+/// What was drawn, for results: entities, visible, lights, draws, triangles, textures, and those of
+/// clip_facts().
 [[nodiscard]] nlohmann::json picture_facts(const ModelView& view, const ModelPicture& picture);
 
 /// What a stage's player plays, for results: clips, clip, clip_time_s.

@@ -44,6 +44,24 @@ void add_method_option(CLI::App& command, const std::string& name,
                                name, help_text(std::span{parameters}.subspan(1))));
 }
 
+/// --NAME field=value,… for a struct that is no choice of a method.
+template <class Struct, std::size_t Count>
+void add_fields_option(CLI::App& command, const std::string& name, std::string_view help,
+                       const std::array<Parameter<Struct>, Count>& table, Struct& object) {
+    const std::vector<BoundParameter> parameters = bind(table, object);
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, parameters](const std::string& text) {
+                usage_checked(name, [&] { set_from_method_text(parameters, text); });
+            },
+            std::string{help})
+        ->type_name("name=value,...")
+        ->group("Algorithms");
+    command.footer(fmt::format("{}{} name=value,... knows these names:\n{}", command.get_footer(), name,
+                               help_text(parameters)));
+}
+
 /// --NAME VALUE for the one field of a struct that stands under that name in its table.
 template <class Struct, std::size_t Count>
 void add_field_option(CLI::App& command, std::string_view field,
@@ -113,6 +131,8 @@ void add_picture_options(CLI::App& command, Options& options) {
     add_field_option(command, "exposure", render::k_tone_parameters, options.settings.tone);
     add_method_option(command, "--aa", render::k_anti_aliasing_parameters, options.settings.anti_aliasing);
     add_method_option(command, "--debug-view", render::k_debug_parameters, options.settings.debug);
+    add_fields_option(command, "--textures", "How much of the scene's textures is on the graphics card",
+                      render::k_texture_budget_parameters, options.settings.textures);
 }
 
 void add_message_options(CLI::App& command, Options& options) {

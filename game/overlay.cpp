@@ -64,6 +64,11 @@ void show(const OverlayState& state) {
                 static_cast<unsigned long long>(state.feedback.triangles));
     ImGui::Text("%u GL objects, %.1f MiB", state.feedback.gl_objects,
                 static_cast<double>(state.feedback.gpu_memory_bytes) / 1048576.0);
+    const systems::TextureFeedback& textures = state.feedback.textures;
+    ImGui::Text("textures %.1f of %.1f MiB, %u loads pending, %u images too coarse",
+                static_cast<double>(textures.resident_bytes) / 1048576.0,
+                static_cast<double>(textures.budget_bytes) / 1048576.0, textures.pending_loads,
+                textures.below_demand);
 }
 
 }  // namespace
@@ -75,6 +80,7 @@ Overlay::Overlay(render::Settings& settings, std::function<void()> own_part)
     add_group("shadows", bind(render::k_shadow_parameters, settings.shadows));
     add_group("tone mapping", bind(render::k_tone_parameters, settings.tone));
     add_group("anti-aliasing", bind(render::k_anti_aliasing_parameters, settings.anti_aliasing));
+    add_group("textures", bind(render::k_texture_budget_parameters, settings.textures));
     add_group("debugging", bind(render::k_debug_parameters, settings.debug));
 }
 

@@ -39,7 +39,7 @@ std::string verdict_text(const Steadiness& result, std::uint64_t last_frame) {
     return fmt::format(
         "memory: {} over {} ({:+.1f} MiB heap, {:+.1f} MiB resident with the driver's bins, {:+.1f} MiB on "
         "the "
-        "GPU, {:+} GL objects)\n",
+        "GPU beside textures, {:+} GL objects)\n",
         result.steady ? "steady" : "grew", span, mebibytes(result.heap_growth_bytes),
         mebibytes(result.resident_growth_bytes), mebibytes(result.gpu_growth_bytes), result.gl_object_growth);
 }
@@ -72,11 +72,12 @@ std::string to_text(const std::vector<HeldSample>& samples, std::uint64_t every)
     std::string text;
     for (const HeldSample& sample : samples) {
         if (sample.frame % every != 0 && &sample != &samples.back()) continue;
-        text +=
-            fmt::format("frame {:>5}: {:>10} heap, {:>10} resident, {:>10} on the GPU, {:>5} GL objects\n",
-                        sample.frame, bytes_text(static_cast<double>(sample.heap_bytes)),
-                        bytes_text(static_cast<double>(sample.resident_bytes)),
-                        bytes_text(static_cast<double>(sample.gpu_bytes)), sample.gl_objects);
+        text += fmt::format(
+            "frame {:>5}: {:>10} heap, {:>10} resident, {:>10} on the GPU beside textures, {:>5} GL "
+            "objects\n",
+            sample.frame, bytes_text(static_cast<double>(sample.heap_bytes)),
+            bytes_text(static_cast<double>(sample.resident_bytes)),
+            bytes_text(static_cast<double>(sample.gpu_bytes)), sample.gl_objects);
     }
     return text + verdict_text(steadiness(samples), samples.empty() ? 0 : samples.back().frame);
 }

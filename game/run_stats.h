@@ -11,7 +11,7 @@ struct HeldSample {
     std::uint64_t frame = 0;
     std::uint64_t heap_bytes = 0;      ///< C++ allocations: the engine's own, not the GL driver's
     std::uint64_t resident_bytes = 0;  ///< of the process, driver and freed pages included
-    std::uint64_t gpu_bytes = 0;
+    std::uint64_t gpu_bytes = 0;  ///< without the scene's textures, which come and go within their budget
     std::uint32_t gl_objects = 0;
 };
 

@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "assets/cache/cached_process.h"
+#include "assets/cache/level_loader.h"
 #include "game/progress.h"
+#include "systems/look/texture_uses.h"
 
 namespace rambla::game {
 
@@ -43,21 +45,30 @@ fs::path cache_folder() {
 
 PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo& device, bool quiet) {
     const fs::path folder = cache_folder();
-    assets::Cache cache{folder, k_cache_limit_bytes};
+    const auto cache = std::make_shared<assets::Cache>(folder, k_cache_limit_bytes);
     std::optional<Progress> progress;
     assets::CachedProcess result = assets::process_cached(
-        scene, parameters_for(device), cache, [&](std::uint32_t made, std::uint32_t missing) {
+        scene, parameters_for(device), *cache,
+        [&](std::uint32_t made, std::uint32_t missing) {
             if (!progress) progress.emplace("Processing for the first time", missing, !quiet);
             progress->update(made);
-        });
+        },
+        assets::KeptLevels::floors);
     progress.reset();
     spdlog::debug("Cache {}: {} hits in {:.0f} ms, {} misses in {:.0f} ms", folder.string(), result.loaded,
                   result.loading_ms, result.processed, result.processing_ms);
+    std::shared_ptr<assets::LevelSource> textures = assets::make_level_loader(result, cache);
     return {.scene = std::make_shared<const assets::ProcessedScene>(std::move(result.scene)),
+            .textures = std::move(textures),
             .cache_hits = result.loaded,
             .cache_misses = result.processed,
             .loading_ms = result.loading_ms,
             .processing_ms = result.processing_ms};
+}
+
+void hand_over(PreparedScene prepared, Stage& stage, render::RenderThread& thread) {
+    stage.world->set_resource(systems::TextureUses{*stage.scene, *prepared.scene});
+    thread.upload(stage.scene, std::move(prepared.scene), std::move(prepared.textures));
 }
 
 }  // namespace rambla::game

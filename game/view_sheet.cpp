@@ -39,7 +39,7 @@ public:
     nlohmann::json draw(std::uint32_t cell) {
         const fs::path& file = files_[cell];
         try {
-            const ModelView view = view_model(file, wishes_);
+            ModelView view = view_model(file, wishes_);
             const ModelPicture picture = place(cell, view, names_[cell]);
             nlohmann::json row = picture_facts(view, picture);
             row["file"] = file.string();
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] const assets::Image& image() const { return sheet_.image(); }
 
 private:
-    ModelPicture place(std::uint32_t cell, const ModelView& view, const std::string& words) {
+    ModelPicture place(std::uint32_t cell, ModelView& view, const std::string& words) {
         ModelPicture picture =
             draw_model(thread_, view, false, true, captions_.written(words, wishes_.size_px));
         sheet_.place(cell, picture.image);

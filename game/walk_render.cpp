@@ -98,6 +98,7 @@ public:
             fill(input, i, moment.interpolation);
             input.frame.capture = {.display = true, .linear = walk_.format == "exr"};
             input.draw_graph = i == 0 && !walk_.graph.empty();
+            input.complete_textures = !window_;  // in a window nothing waits
             measures_.counts = input.frame.counts;
             note_system_times();
             thread_->submit();
@@ -164,16 +165,17 @@ private:
     /// Waits until everything is drawn that the first frame needs, so that frames are measured alone.
     void upload() {
         PreparedScene prepared = prepare_scene(*stage_.scene, thread_->device(), options_.quiet);
+        measures_.start = {.generating_ms = walk_.generating_ms,
+                           .loading_ms = prepared.loading_ms,
+                           .processing_ms = prepared.processing_ms,
+                           .uploading_ms = 0.0,
+                           .cache_hits = prepared.cache_hits,
+                           .cache_misses = prepared.cache_misses};
         const Clock::time_point start = Clock::now();
-        thread_->upload(stage_.scene, std::move(prepared.scene));
+        hand_over(std::move(prepared), stage_, *thread_);
         thread_->finish();
-        measures_.start = {
-            .generating_ms = walk_.generating_ms,
-            .loading_ms = prepared.loading_ms,
-            .processing_ms = prepared.processing_ms,
-            .uploading_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count(),
-            .cache_hits = prepared.cache_hits,
-            .cache_misses = prepared.cache_misses};
+        measures_.start.uploading_ms =
+            std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     }
 
     [[nodiscard]] float time_of(std::uint32_t frame) const {
@@ -196,17 +198,19 @@ private:
         input.settings = options_.settings;
         input.profile = false;
         input.reload_shaders = false;
+        input.complete_textures = false;
     }
 
     void take_outputs() {
         for (render::FrameOutput& output : thread_->collect()) {
             const auto frame = static_cast<std::uint32_t>(measures_.drawn.size());
             if (!output.graph_svg.empty()) assets::write_text(walk_.graph, output.graph_svg);
-            measures_.held.push_back({.frame = frame,
-                                      .heap_bytes = heap_bytes(),
-                                      .resident_bytes = resident_bytes(),
-                                      .gpu_bytes = output.feedback.gpu_memory_bytes,
-                                      .gl_objects = output.feedback.gl_objects});
+            measures_.held.push_back(
+                {.frame = frame,
+                 .heap_bytes = heap_bytes(),
+                 .resident_bytes = resident_bytes(),
+                 .gpu_bytes = output.feedback.gpu_memory_bytes - output.feedback.textures.resident_bytes,
+                 .gl_objects = output.feedback.gl_objects});
             measures_.drawn.push_back(std::move(output.feedback));
             write(frame, std::move(output.display), std::move(output.linear));
         }

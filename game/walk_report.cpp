@@ -45,12 +45,31 @@ HeldSample last_held(const WalkMeasures& m) {
     return m.held.empty() ? HeldSample{} : m.held.back();
 }
 
+/// After the last frame, textures included.
+std::uint64_t gpu_memory_bytes(const WalkMeasures& m) {
+    return m.drawn.empty() ? 0 : m.drawn.back().gpu_memory_bytes;
+}
+
 std::string start_text(const StartMeasures& s) {
     return fmt::format(
         "started in {:.0f} ms: {:.0f} generating, {:.0f} loading ({} cache hits), {:.0f} processing ({} "
         "misses), {:.0f} uploading and compiling\n",
         s.generating_ms + s.loading_ms + s.processing_ms + s.uploading_ms, s.generating_ms, s.loading_ms,
         s.cache_hits, s.processing_ms, s.cache_misses, s.uploading_ms);
+}
+
+/// After the last frame.
+systems::TextureFeedback last_textures(const WalkMeasures& m) {
+    return m.drawn.empty() ? systems::TextureFeedback{} : m.drawn.back().textures;
+}
+
+std::string textures_text(const systems::TextureFeedback& t) {
+    return fmt::format(
+        "textures {} resident, {} at most, of a budget of {}; {} loads, {} pending, {} images coarser than "
+        "the "
+        "picture shows\n",
+        bytes_text(static_cast<double>(t.resident_bytes)), bytes_text(static_cast<double>(t.peak_bytes)),
+        bytes_text(static_cast<double>(t.budget_bytes)), t.loads, t.pending_loads, t.below_demand);
 }
 
 std::string systems_text(const WalkMeasures& m) {
@@ -83,8 +102,15 @@ std::string summary_text(const WalkMeasures& m) {
     text += fmt::format("systems on the CPU: {}\n", systems_text(m));
     text += fmt::format("memory {} resident, {} on the GPU, {} GL objects\n",
                         bytes_text(static_cast<double>(held.resident_bytes)),
-                        bytes_text(static_cast<double>(held.gpu_bytes)), held.gl_objects);
+                        bytes_text(static_cast<double>(gpu_memory_bytes(m))), held.gl_objects);
+    text += textures_text(last_textures(m));
     return text;
+}
+
+nlohmann::json textures_json(const systems::TextureFeedback& t) {
+    return {{"resident_bytes", t.resident_bytes}, {"peak_bytes", t.peak_bytes},
+            {"budget_bytes", t.budget_bytes},     {"loads", t.loads},
+            {"pending_loads", t.pending_loads},   {"below_demand", t.below_demand}};
 }
 
 nlohmann::json summary_json(const WalkMeasures& m) {
@@ -115,7 +141,8 @@ nlohmann::json summary_json(const WalkMeasures& m) {
             {"gl_state_changes_median", median_of(m.drawn, &systems::Feedback::gl_state_changes)},
             {"gl_blocking_calls", sum_of(m.drawn, &systems::Feedback::gl_blocking_calls)},
             {"gl_pacing_waits", sum_of(m.drawn, &systems::Feedback::gl_pacing_waits)},
-            {"gpu_memory_bytes", last_held(m).gpu_bytes},
+            {"gpu_memory_bytes", gpu_memory_bytes(m)},
+            {"textures", textures_json(last_textures(m))},
             {"gl_objects", last_held(m).gl_objects}};
 }
 

@@ -46,6 +46,9 @@ struct WalkMeasures {
     std::vector<systems::Feedback> profiled;  ///< with timers
 };
 
+/// What textures took, for machines.
+[[nodiscard]] nlohmann::json textures_json(const systems::TextureFeedback& textures);
+
 /// The walk in a few lines: speed, contents, systems, memory.
 [[nodiscard]] std::string summary_text(const WalkMeasures& measures);
 [[nodiscard]] nlohmann::json summary_json(const WalkMeasures& measures);

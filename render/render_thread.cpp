@@ -23,6 +23,7 @@ constexpr std::chrono::milliseconds k_poll{1};
 struct Command {
     std::shared_ptr<const assets::Scene> scene;
     std::shared_ptr<const assets::ProcessedScene> processed;
+    std::shared_ptr<assets::LevelSource> source;
     std::size_t slot = 0;
 };
 
@@ -40,6 +41,7 @@ struct RenderThread::State {
     std::array<bool, 2> slot_busy{};  ///< submitted and not yet drawn
     std::optional<DeviceInfo> device;
     std::vector<Command> queue;
+    std::vector<std::weak_ptr<assets::LevelSource>> sources;  ///< of all scenes that may still be drawn
     std::vector<FrameOutput> outputs;
     bool working = false;    ///< a command is being carried out, or frames are in flight
     bool finishing = false;  ///< somebody waits for everything
@@ -95,7 +97,7 @@ void RenderThread::State::serve(Renderer& renderer) {
         const bool drain = finishing && !has_command;
         lock.unlock();
         if (command.scene) {
-            renderer.upload(*command.scene, *command.processed);
+            renderer.upload(*command.scene, *command.processed, std::move(command.source));
             command = {};
         } else if (has_command) {
             renderer.draw(slots[command.slot]);
@@ -123,6 +125,9 @@ RenderThread::~RenderThread() {
     {
         const std::scoped_lock lock{state_->mutex};
         state_->stop = true;
+        for (const std::weak_ptr<assets::LevelSource>& source : state_->sources) {
+            if (const auto waited_for = source.lock()) waited_for->close();
+        }
     }
     state_->changed.notify_all();
     state_->thread.join();
@@ -136,12 +141,16 @@ DeviceInfo RenderThread::device() {
 }
 
 void RenderThread::upload(std::shared_ptr<const assets::Scene> scene,
-                          std::shared_ptr<const assets::ProcessedScene> processed) {
+                          std::shared_ptr<const assets::ProcessedScene> processed,
+                          std::shared_ptr<assets::LevelSource> source) {
     RAMBLA_ASSERT(scene != nullptr && processed != nullptr, "there is a scene to upload");
     {
         const std::scoped_lock lock{state_->mutex};
         state_->rethrow();
-        state_->queue.push_back({.scene = std::move(scene), .processed = std::move(processed)});
+        std::erase_if(state_->sources, [](const auto& known) { return known.expired(); });
+        if (source) state_->sources.push_back(source);
+        state_->queue.push_back(
+            {.scene = std::move(scene), .processed = std::move(processed), .source = std::move(source)});
     }
     state_->changed.notify_all();
 }
@@ -159,7 +168,8 @@ void RenderThread::submit() {
         state_->rethrow();
         RAMBLA_ASSERT(!state_->slot_busy[state_->filling], "begin() came before submit()");
         state_->slot_busy[state_->filling] = true;
-        state_->queue.push_back({.scene = nullptr, .processed = nullptr, .slot = state_->filling});
+        state_->queue.push_back(
+            {.scene = nullptr, .processed = nullptr, .source = nullptr, .slot = state_->filling});
         state_->filling = 1 - state_->filling;
     }
     state_->changed.notify_all();

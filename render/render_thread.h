@@ -8,6 +8,7 @@
 #include "assets/image.h"
 #include "assets/processed.h"
 #include "assets/scene.h"
+#include "assets/texture_levels.h"
 #include "render/gl/context.h"
 #include "render/settings.h"
 #include "render/shader_source.h"
@@ -30,6 +31,9 @@ struct FrameInput {
     bool reload_shaders = false;  ///< compile again what the shader source has changed
     bool profile = false;         ///< GPU timers per pass for this frame; adds flushes
     bool draw_graph = false;      ///< asks for FrameOutput::graph_svg
+    /// For pictures that are kept: the render thread first waits for all texture levels that the frame needs
+    /// and the budget allows, so that the picture depends on no disk's speed. Else no frame waits for any.
+    bool complete_textures = false;
 };
 
 struct FrameOutput {
@@ -54,8 +58,10 @@ public:
 
     /// Hands over the scene whose indices all later Frames use, and what was made of it; returns at once, and
     /// lets go of both when they are uploaded.
+    /// @param source  brings the levels of textures that are not in `processed`; closed when this ends
     void upload(std::shared_ptr<const assets::Scene> scene,
-                std::shared_ptr<const assets::ProcessedScene> processed);
+                std::shared_ptr<const assets::ProcessedScene> processed,
+                std::shared_ptr<assets::LevelSource> source = nullptr);
 
     /// Waits until a FrameInput is free and returns it for filling; its contents are those of two frames ago.
     [[nodiscard]] FrameInput& begin();

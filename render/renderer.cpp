@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "assets/assert.h"
 #include "render/capture.h"
@@ -105,8 +106,10 @@ struct Renderer::State {
     std::array<InFlight, k_max_in_flight> in_flight;  ///< a ring
     std::size_t first = 0;
     std::size_t count = 0;
+    std::uint64_t finished = 0;  ///< frames since the beginning, as the fences have told
 
     void draw(const FrameInput& input, bool is_warm_up);
+    void bring_textures(const FrameInput& input);
     void draw_passes(const FrameInput& input, InFlight& slot);
     void bind_frame(const systems::Frame& frame, float exposure);
     [[nodiscard]] TextureHandle import_backbuffer(glm::uvec2 size, bool as_texture);
@@ -119,8 +122,9 @@ Renderer::Renderer(const RenderThreadOptions& options,
     : state_{std::make_unique<State>(options, on_device)} {}
 Renderer::~Renderer() = default;
 
-void Renderer::upload(const assets::Scene& scene, const assets::ProcessedScene& processed) {
-    state_->scene.upload(processed);
+void Renderer::upload(const assets::Scene& scene, const assets::ProcessedScene& processed,
+                      std::shared_ptr<assets::LevelSource> source) {
+    state_->scene.upload(processed, std::move(source));
     if (!state_->compile_ahead) return;
     for (const FrameInput& input : warm_up_frames(scene))
         state_->draw(input, true);
@@ -153,6 +157,7 @@ void Renderer::State::draw(const FrameInput& input, bool is_warm_up) {
     graph.begin_frame();
     counts = {};
     stream.begin_frame();
+    if (!is_warm_up) bring_textures(input);
     if (size.x > 0 && size.y > 0) {  // a minimised window has no pixels
         draw_passes(input, slot);
     } else {
@@ -175,10 +180,21 @@ void Renderer::State::draw(const FrameInput& input, bool is_warm_up) {
     feedback.gl_state_changes = calls[gl::CallKind::bind] + calls[gl::CallKind::state];
     feedback.gl_blocking_calls = calls[gl::CallKind::wait];
     feedback.gl_pacing_waits = calls[gl::CallKind::pace];
-    feedback.gl_objects = live.objects;
+    feedback.gl_objects = live.objects - scene.textures().passing_textures();
     feedback.gpu_memory_bytes = live.bytes;
+    feedback.textures = scene.textures().feedback();
     feedback.cpu_frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     context.check_errors();
+}
+
+void Renderer::State::bring_textures(const FrameInput& input) {
+    const std::uint64_t number = finished + count;
+    const std::vector<std::uint8_t>& demand = input.frame.texture_demand;
+    if (input.complete_textures) {
+        scene.complete_textures(demand, input.settings.textures, number);
+    } else {
+        scene.update_textures(demand, input.settings.textures, number);
+    }
 }
 
 void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
@@ -270,6 +286,7 @@ bool Renderer::State::take_oldest(std::vector<FrameOutput>& outputs, bool wait) 
     frame.fence = nullptr;
     first = (first + 1) % k_max_in_flight;
     --count;
+    scene.release_textures(++finished);
 
     const FrameCost& cost = graph.take_cost();
     systems::Feedback& feedback = frame.output.feedback;

@@ -6,6 +6,7 @@
 
 #include "assets/processed.h"
 #include "assets/scene.h"
+#include "assets/texture_levels.h"
 #include "render/gl/context.h"
 #include "render/render_thread.h"
 
@@ -24,8 +25,11 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Replaces the scene whose indices Frames use. @param processed  what was made of it
-    void upload(const assets::Scene& scene, const assets::ProcessedScene& processed);
+    /// Replaces the scene whose indices Frames use.
+    /// @param processed  what was made of it
+    /// @param source     of the levels of textures that are not in `processed`
+    void upload(const assets::Scene& scene, const assets::ProcessedScene& processed,
+                std::shared_ptr<assets::LevelSource> source = nullptr);
 
     /// Draws and shows one frame. @throws std::runtime_error  with GL's messages, if errors are to throw
     void draw(const FrameInput& input);

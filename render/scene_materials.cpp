@@ -19,20 +19,29 @@ shared::UvTransform shader_transform(const assets::TextureSlot& slot) {
             .row1 = {-s * slot.scale.x, c * slot.scale.y, slot.offset.y, 0.0f}};
 }
 
-MaterialSlots find_slots(const assets::Material& material, const SceneTextures& textures) {
-    MaterialSlots slots;
+/// The textures that a material binds, in the order of the units.
+std::array<BoundTexture, 5> bound_textures(const assets::Material& material, const SceneTextures& textures) {
+    std::array<BoundTexture, 5> bound;
     const auto set = [&](std::size_t unit, const assets::TextureSlot& slot, const BoundTexture& neutral) {
-        const BoundTexture& bound =
-            slot.texture < textures.textures.size() ? textures.textures[slot.texture] : neutral;
-        slots.textures[unit] = bound.texture;
-        slots.samplers[unit] = bound.sampler;
+        bound[unit] = slot.texture < textures.textures.size() ? textures.textures[slot.texture] : neutral;
     };
     set(UNIT_BASE_COLOUR, material.base_colour_texture, textures.white);
     set(UNIT_METALNESS_ROUGHNESS, material.metalness_roughness_texture, textures.white);
     set(UNIT_NORMAL, material.normal_texture, textures.flat_normal);
     set(UNIT_OCCLUSION, material.occlusion_texture, textures.white);
     set(UNIT_EMISSIVE, material.emissive_texture, textures.white);
-    return slots;
+    return bound;
+}
+
+void add_slots(SceneMaterials& result, const std::array<BoundTexture, 5>& bound) {
+    const auto material = static_cast<std::uint32_t>(result.slots.size());
+    MaterialSlots& slots = result.slots.emplace_back();
+    for (std::uint32_t unit = 0; unit < bound.size(); ++unit) {
+        slots.textures[unit] = bound[unit].texture;
+        slots.samplers[unit] = bound[unit].sampler;
+        if (bound[unit].image != assets::k_none)
+            result.slots_of_images[bound[unit].image].push_back({material, unit});
+    }
 }
 
 bool lacks_normal_z(const assets::ProcessedScene& scene, const assets::Material& material) {
@@ -80,14 +89,20 @@ SceneMaterials upload_materials(const assets::ProcessedScene& scene, const Scene
     SceneMaterials result;
     result.materials = scene.materials;
     result.materials.emplace_back();
+    result.slots_of_images.resize(scene.images.size());
     std::vector<shared::Material> rows;
     rows.reserve(result.materials.size());
     for (const assets::Material& material : result.materials) {
         rows.push_back(shader_material(material, lacks_normal_z(scene, material)));
-        result.slots.push_back(find_slots(material, textures));
+        add_slots(result, bound_textures(material, textures));
     }
     result.buffer = gl::Buffer{"materials", rows.size() * sizeof(shared::Material), rows.data()};
     return result;
+}
+
+void rebind_image(SceneMaterials& materials, std::uint32_t image, GLuint texture) {
+    for (const SlotOfImage& slot : materials.slots_of_images[image])
+        materials.slots[slot.material].textures[slot.unit] = texture;
 }
 
 }  // namespace rambla::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "assets/processed.h"
@@ -16,10 +17,17 @@ struct MaterialSlots {
     std::array<GLuint, 5> samplers{};
 };
 
+/// Where an image is bound.
+struct SlotOfImage {
+    std::uint32_t material = 0;
+    std::uint32_t unit = 0;
+};
+
 /// The materials of a scene, and behind them glTF's default.
 struct SceneMaterials {
     std::vector<assets::Material> materials;
     std::vector<MaterialSlots> slots;
+    std::vector<std::vector<SlotOfImage>> slots_of_images;
     gl::Buffer buffer;  ///< of shared::Material
 };
 
@@ -27,5 +35,8 @@ struct SceneMaterials {
 [[nodiscard]] shared::Material shader_material(const assets::Material& material, bool normal_z_is_missing);
 [[nodiscard]] SceneMaterials upload_materials(const assets::ProcessedScene& scene,
                                               const SceneTextures& textures);
+
+/// Binds another texture wherever an image is bound.
+void rebind_image(SceneMaterials& materials, std::uint32_t image, GLuint texture);
 
 }  // namespace rambla::render

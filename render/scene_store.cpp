@@ -1,6 +1,8 @@
 #include "render/scene_store.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "assets/assert.h"
 #include "render/scene_materials.h"
@@ -21,11 +23,11 @@ struct SceneStore::State {
 };
 
 SceneStore::SceneStore() : state_{std::make_unique<State>()} {
-    upload({});
+    upload({}, nullptr);
 }
 SceneStore::~SceneStore() = default;
 
-void SceneStore::upload(const assets::ProcessedScene& scene) {
+void SceneStore::upload(const assets::ProcessedScene& scene, std::shared_ptr<assets::LevelSource> source) {
     // The old scene goes first: two large scenes need not fit beside each other.
     state_ = std::make_unique<State>();
     state_->meshes = upload_meshes(scene.meshes);
@@ -33,8 +35,40 @@ void SceneStore::upload(const assets::ProcessedScene& scene) {
     const std::vector<std::uint32_t> morphs = pack_morphs(scene.meshes, state_->meshes.ranges);
     if (!morphs.empty())
         state_->morphs = gl::Buffer{"morphs", morphs.size() * sizeof(std::uint32_t), morphs.data()};
-    state_->textures = upload_textures(scene);
+    state_->textures = upload_textures(scene, std::move(source));
     state_->materials = upload_materials(scene, state_->textures);
+}
+
+void SceneStore::update_textures(std::span<const std::uint8_t> demand, const TextureParameters& parameters,
+                                 std::uint64_t frame) {
+    state_->textures.images->begin_frame(frame);
+    state_->textures.images->update(demand, parameters);
+    rebind_textures();
+}
+
+void SceneStore::complete_textures(std::span<const std::uint8_t> demand, const TextureParameters& parameters,
+                                   std::uint64_t frame) {
+    TextureResidency& images = *state_->textures.images;
+    images.begin_frame(frame);
+    images.complete(demand, parameters, [&images] {
+        glFinish();
+        images.release(std::numeric_limits<std::uint64_t>::max());
+    });
+    rebind_textures();
+}
+
+void SceneStore::release_textures(std::uint64_t finished) {
+    state_->textures.images->release(finished);
+}
+
+const TextureResidency& SceneStore::textures() const {
+    return *state_->textures.images;
+}
+
+void SceneStore::rebind_textures() {
+    const TextureResidency& images = *state_->textures.images;
+    for (const std::uint32_t image : images.changed())
+        rebind_image(state_->materials, image, images.name(image));
 }
 
 const MeshRange& SceneStore::mesh(std::uint32_t index) const {

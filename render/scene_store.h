@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "assets/processed.h"
+#include "assets/texture_levels.h"
 #include "render/gl/buffer.h"
 #include "render/gl/texture.h"
 #include "render/gl/vertex_array.h"
+#include "render/texture_residency.h"
 
 namespace rambla::render {
 
@@ -32,7 +34,18 @@ public:
     SceneStore& operator=(const SceneStore&) = delete;
 
     /// Replaces everything by the contents of `scene`.
-    void upload(const assets::ProcessedScene& scene);
+    /// @param source  of the levels of textures that the scene does not hold; none: those do not come
+    void upload(const assets::ProcessedScene& scene, std::shared_ptr<assets::LevelSource> source);
+
+    /// Before frame number `frame` is drawn: see TextureResidency.
+    void update_textures(std::span<const std::uint8_t> demand, const TextureParameters& parameters,
+                         std::uint64_t frame);
+    /// Likewise, but waits for all that the frame needs. Waits for the graphics card, too.
+    void complete_textures(std::span<const std::uint8_t> demand, const TextureParameters& parameters,
+                           std::uint64_t frame);
+    /// Frames below number `finished` are done.
+    void release_textures(std::uint64_t finished);
+    [[nodiscard]] const TextureResidency& textures() const;
 
     [[nodiscard]] const MeshRange& mesh(std::uint32_t index) const;
     /// What a mesh of opaque triangles casts that does not deform, of shadow_vertices().
@@ -59,6 +72,8 @@ public:
     void bind_base_colour(std::uint32_t material) const;
 
 private:
+    void rebind_textures();
+
     struct State;
     std::unique_ptr<State> state_;
 };

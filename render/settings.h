@@ -129,6 +129,19 @@ inline constexpr std::array k_debug_parameters{
                                       "Shows what a picture is made from instead of the picture."),
 };
 
+/// How much of a scene's textures is on the graphics card. Pictures need no more than what they show: the
+/// default is what a card of 4 GiB can spare.
+struct TextureParameters {
+    float budget_mib = 1024.0f;
+    float upload_mib = 16.0f;  ///< a few milliseconds of a PCIe bus, or of llvmpipe
+};
+inline constexpr std::array k_texture_budget_parameters{
+    parameter<&TextureParameters::budget_mib>(
+        "budget", "MiB", 0.125, 65536, "What textures may take; levels of 64 texels and less stay even so."),
+    parameter<&TextureParameters::upload_mib>("upload", "MiB", 0.0625, 4096,
+                                              "What may be uploaded of them for a frame."),
+};
+
 /// All that a user may choose about drawing, read anew for each Frame.
 struct Settings {
     LightingParameters lighting;
@@ -136,6 +149,7 @@ struct Settings {
     ShadowParameters shadows;
     ToneParameters tone;
     AntiAliasingParameters anti_aliasing;
+    TextureParameters textures;
     DebugParameters debug;
 };
 

@@ -15,6 +15,16 @@ struct PassTiming {
     std::uint64_t memory_bytes = 0;   ///< transient textures and buffers alive while it runs
 };
 
+/// What the images of a scene take whose levels come and go.
+struct TextureFeedback {
+    std::uint64_t resident_bytes = 0;  ///< with what is being replaced
+    std::uint64_t peak_bytes = 0;      ///< most that resident_bytes has been at any moment
+    std::uint64_t budget_bytes = 0;
+    std::uint64_t loads = 0;  ///< of levels of an image, so far
+    std::uint32_t pending_loads = 0;
+    std::uint32_t below_demand = 0;  ///< images that the picture shows less finely than it could
+};
+
 /// What the renderer tells a later frame: plain data, never read by the simulation.
 struct Feedback {
     std::uint64_t frame = 0;
@@ -27,8 +37,9 @@ struct Feedback {
     std::uint64_t gl_state_changes = 0;   ///< of those, what binds or sets state
     std::uint64_t gl_blocking_calls = 0;  ///< of those, what waits for a result of the GPU
     std::uint64_t gl_pacing_waits = 0;    ///< besides those: for room, as only so many frames are in flight
-    std::uint32_t gl_objects = 0;         ///< alive at the frame's end
+    std::uint32_t gl_objects = 0;         ///< alive at the frame's end, but for textures being replaced
     std::uint64_t gpu_memory_bytes = 0;   ///< buffers and textures that the renderer holds
+    TextureFeedback textures;
 };
 
 }  // namespace rambla::systems

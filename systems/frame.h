@@ -107,6 +107,9 @@ struct FrameLight {
     float cos_inner = -1.0f;
 };
 
+/// Of Frame::texture_demand: nothing that the picture shows is textured with this image.
+inline constexpr std::uint8_t k_not_demanded = 255;
+
 /// Pixels that game asks for with this Frame.
 struct CaptureRequest {
     bool display = false;  ///< 8-bit sRGB, what the screen shows
@@ -138,7 +141,10 @@ struct Frame {
     CasterColumns casters;
     std::vector<FrameLight> lights;
     assets::Bounds visible;  ///< around all that `opaque` and `blended` show; empty if that is nothing
-    bool emissive = false;   ///< some visible material emits or is unlit: the emission target is needed
+    /// For each of ProcessedScene::images the finest mip level that the picture can need, or k_not_demanded;
+    /// empty: nothing is known of that, and textures stay as they are.
+    std::vector<std::uint8_t> texture_demand;
+    bool emissive = false;  ///< some visible material emits or is unlit: the emission target is needed
     CaptureRequest capture;
     FrameCounts counts;
     std::shared_ptr<const void>

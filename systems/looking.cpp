@@ -6,6 +6,7 @@
 #include "systems/components.h"
 #include "systems/look/culling.h"
 #include "systems/look/lights.h"
+#include "systems/look/texture_demand.h"
 #include "systems/pack/queue.h"
 
 namespace rambla::systems {
@@ -40,6 +41,15 @@ struct Pack {
     }
 };
 
+struct DemandTextures {
+    TextureDemand demand;
+
+    void operator()(ecs::Res<Culling> culling, ecs::Res<TextureUses> uses, ecs::Res<Deformations> poses,
+                    ecs::ResMut<FrameUnderWork> work) {
+        demand(*culling, *uses, *poses, *work->frame);
+    }
+};
+
 }  // namespace
 
 Looking make_looking() {
@@ -53,6 +63,9 @@ Looking make_looking() {
         .after("lights")
         .reads<WorldTransform, PreviousWorldTransform, Renderable, Skinned,
                Morphed>();  // through what culling found
+    schedule.add("texture demand", DemandTextures{})
+        .after("packing")
+        .reads<WorldTransform, PreviousWorldTransform, Renderable, Skinned, Morphed>();
     return looking;
 }
 

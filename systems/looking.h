@@ -30,8 +30,8 @@ struct Looking {
     std::uint64_t frames = 0;
 };
 
-/// Culling and lights, which may run side by side, then packing. Needs the resources Look, FrameUnderWork,
-/// MaterialFacts and Culling.
+/// Culling and lights, which may run side by side, then packing and what textures need. Needs the resources
+/// Look, FrameUnderWork, MaterialFacts, TextureUses and Culling.
 [[nodiscard]] Looking make_looking();
 
 }  // namespace rambla::systems

@@ -6,6 +6,7 @@
 
 #include "systems/look/culling.h"
 #include "systems/look/projection.h"
+#include "systems/look/texture_uses.h"
 #include "systems/looking.h"
 #include "systems/position.h"
 #include "systems/simulate/clip_library.h"
@@ -82,6 +83,7 @@ void build_frame(ecs::World& world, const Eye& eye, float interpolation, Frame& 
     if (!world.has_resource<Looking>()) world.set_resource(make_looking());
     ensure<Culling>(world);
     ensure<MaterialFacts>(world);
+    ensure<TextureUses>(world);
     ensure<ClipLibrary>(world);
     ensure<Deformations>(world);
     auto& looking = world.resource<Looking>();

@@ -7,6 +7,7 @@
 
 #include "ecs/query.h"
 #include "ecs/snapshot.h"
+#include "systems/look/texture_uses.h"
 #include "systems/reflection.h"
 #include "systems/simulate/clip_library.h"
 #include "systems/simulate/deformation.h"
@@ -99,6 +100,7 @@ std::unique_ptr<ecs::World> load_state(std::span<const std::byte> bytes, const e
     take_over<Paths>(world, spawned);
     take_over<Sunlight>(world, spawned);
     take_over<MaterialFacts>(world, spawned);
+    take_over<TextureUses>(world, spawned);
     take_over<ClipLibrary>(world, spawned);
     check_followers(world);
     check_deformed(world);

@@ -22,7 +22,7 @@ struct SavedPlace {
 };
 
 /// The simulation's state as bytes: all entities and the Clock. What follows from the place (Paths, Sunlight,
-/// MaterialFacts, ClipLibrary) is not in it.
+/// MaterialFacts, TextureUses, ClipLibrary) is not in it.
 [[nodiscard]] std::vector<std::byte> save_state(ecs::World& world, const SavedPlace& place);
 
 /// The world as it was saved. Stepped on, it gives the same bits as one that was never saved.

@@ -143,8 +143,13 @@ std::optional<std::vector<std::byte>> Cache::load(const ContentHash& key) {
     return std::nullopt;
 }
 
-void Cache::store(const ContentHash& key, std::span<const std::byte> payload) {
-    if (sizeof(Header) + payload.size() > limit_bytes_) return;
+bool Cache::contains(const ContentHash& key) const {
+    std::error_code failure;
+    return fs::is_regular_file(file_of(key), failure);
+}
+
+bool Cache::store(const ContentHash& key, std::span<const std::byte> payload) {
+    if (sizeof(Header) + payload.size() > limit_bytes_) return false;
     const fs::path file = file_of(key);
     const fs::path unfinished = unfinished_name(file);
     std::error_code failure;
@@ -155,12 +160,13 @@ void Cache::store(const ContentHash& key, std::span<const std::byte> payload) {
         fs::remove(unfinished, failure);
         ++failed_;
         warn_once(file, "a place that cannot be written to");
-        return;
+        return false;
     }
     ++stored_;
     const std::lock_guard lock{mutex_};
     bytes_ += sizeof(Header) + payload.size();
     if (bytes_ > limit_bytes_) evict(file);
+    return true;
 }
 
 void Cache::evict(const fs::path& kept) {

@@ -38,8 +38,10 @@ public:
 
     /// The payload, bit by bit as it was stored; marks the entry as used now.
     [[nodiscard]] std::optional<std::vector<std::byte>> load(const ContentHash& key);
-    /// Takes the place of an entry of the same key.
-    void store(const ContentHash& key, std::span<const std::byte> payload);
+    /// Whether there is an entry, whatever is in it.
+    [[nodiscard]] bool contains(const ContentHash& key) const;
+    /// Takes the place of an entry of the same key. @return  whether it is kept
+    bool store(const ContentHash& key, std::span<const std::byte> payload);
 
     [[nodiscard]] CacheCounts counts() const;
     /// Bytes of all entries, as far as this process knows.

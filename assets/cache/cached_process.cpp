@@ -11,6 +11,7 @@
 
 #include "assets/cache/processed_payload.h"
 #include "assets/mesh_columns.h"
+#include "assets/texture_levels.h"
 
 namespace rambla::assets {
 
@@ -107,10 +108,11 @@ bool stands_for(const Mesh& source, const Mesh& read) {
 /// One mesh or texture each: textures first, as they take longest to make.
 class Run {
 public:
-    Run(const Scene& scene, const ProcessParameters& parameters, Cache& cache)
+    Run(const Scene& scene, const ProcessParameters& parameters, Cache& cache, KeptLevels kept)
         : scene_{scene},
           parameters_{parameters},
           cache_{cache},
+          kept_{kept},
           uses_{mesh_uses(scene)},
           plan_{plan_textures(scene)},
           keys_(plan_.jobs.size() + scene.meshes.size()),
@@ -137,6 +139,7 @@ public:
             ++made;
             if (progress) progress(made, static_cast<std::uint32_t>(missing.size()));
         });
+        find_entries();
         out_.processing_ms = ms_since(made_from);
 
         out_.processed = static_cast<std::uint32_t>(missing.size());
@@ -166,6 +169,7 @@ private:
         if (is_texture(i)) {
             std::optional<TextureData> texture = texture_from_payload(*payload);
             if (!texture) return false;
+            drop_fine_levels(*texture);  // at once: all textures of a scene need not fit side by side
             out_.scene.images[i] = std::move(*texture);
             return true;
         }
@@ -178,8 +182,8 @@ private:
     void make(std::size_t i) {
         if (is_texture(i)) {
             TextureData& texture = out_.scene.images[i];
-            texture = process_texture(plan_.jobs[i], plan_.channels[i], scene_.images, parameters_.textures);
-            cache_.store(keys_[i], to_payload(texture));
+            texture = make_texture(i);
+            found_[i] = cache_.store(keys_[i], to_payload(texture)) ? 1 : 0;
         } else {
             ProcessedMesh& mesh = out_.scene.meshes[mesh_of(i)];
             mesh = process_mesh(scene_.meshes[mesh_of(i)], uses_[mesh_of(i)], parameters_);
@@ -187,21 +191,45 @@ private:
         }
     }
 
+    void drop_fine_levels(TextureData& texture) const {
+        if (kept_ == KeptLevels::floors) drop_levels(texture, floor_level(texture));
+    }
+
+    /// Storing an entry may have thrown out others of the same scene, if its limit is tight: what they held
+    /// must be here.
+    void find_entries() {
+        out_.texture_entries.resize(out_.scene.images.size());
+        tbb::parallel_for(std::size_t{0}, out_.scene.images.size(), [this](std::size_t i) {
+            TextureData& texture = out_.scene.images[i];
+            if (found_[i] != 0 && cache_.contains(keys_[i])) {
+                out_.texture_entries[i] = keys_[i];
+                drop_fine_levels(texture);
+            } else if (texture.first_stored > 0) {
+                texture = make_texture(i);
+            }
+        });
+    }
+
+    [[nodiscard]] TextureData make_texture(std::size_t i) const {
+        return process_texture(plan_.jobs[i], plan_.channels[i], scene_.images, parameters_.textures);
+    }
+
     const Scene& scene_;
     const ProcessParameters& parameters_;
     Cache& cache_;
+    KeptLevels kept_;
     std::vector<MeshUse> uses_;
     TexturePlan plan_;
     std::vector<ContentHash> keys_;
-    std::vector<char> found_;  ///< not bools, which threads cannot write side by side
+    std::vector<char> found_;  ///< or stored; not bools, which threads cannot write side by side
     CachedProcess out_;
 };
 
 }  // namespace
 
 CachedProcess process_cached(const Scene& scene, const ProcessParameters& parameters, Cache& cache,
-                             const ProcessProgress& progress) {
-    return Run{scene, parameters, cache}(progress);
+                             const ProcessProgress& progress, KeptLevels kept) {
+    return Run{scene, parameters, cache, kept}(progress);
 }
 
 }  // namespace rambla::assets

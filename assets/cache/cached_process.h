@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "assets/cache/cache.h"
 #include "assets/process/process.h"
@@ -14,9 +16,17 @@ namespace rambla::assets {
 /// how payloads are laid out: what older code has kept is then not found any more.
 inline constexpr std::uint32_t k_processing_version = 2;
 
+/// Which levels of textures stay in memory.
+enum class KeptLevels : std::uint8_t {
+    all,
+    floors  ///< where the cache has the texture, only the small ones, see floor_level()
+};
+
 /// A processed scene, and where it came from.
 struct CachedProcess {
     ProcessedScene scene;
+    /// Where the cache keeps each of the scene's images; none where it has not got it (any more).
+    std::vector<std::optional<ContentHash>> texture_entries;
     std::uint32_t loaded = 0;     ///< meshes and uses of pictures that the cache had
     std::uint32_t processed = 0;  ///< those that had to be made
     double loading_ms = 0.0;      ///< wall time to hash what they are made of, and to read
@@ -31,6 +41,7 @@ using ProcessProgress = std::function<void(std::uint32_t made, std::uint32_t mis
 /// on oneTBB; the processed scene is the same for any number of threads and whatever the cache holds.
 /// @param scene  as for process()
 [[nodiscard]] CachedProcess process_cached(const Scene& scene, const ProcessParameters& parameters,
-                                           Cache& cache, const ProcessProgress& progress = {});
+                                           Cache& cache, const ProcessProgress& progress = {},
+                                           KeptLevels kept = KeptLevels::all);
 
 }  // namespace rambla::assets

@@ -233,7 +233,7 @@ std::size_t end_of(const TextureData& texture) {
 }
 
 [[maybe_unused]] bool levels_follow(const TextureData& texture) {
-    if (texture.levels.empty()) return false;
+    if (texture.levels.empty() || texture.first_stored > 0) return false;
     TextureData expected;
     expected.format = texture.format;
     expected.levels.resize(texture.levels.size());

@@ -12,7 +12,9 @@ namespace rambla::assets {
 /// What Cache keeps of a processed mesh or texture: one sequence of bytes for each content, so that what is
 /// read again is equal bit by bit.
 [[nodiscard]] std::vector<std::byte> to_payload(const ProcessedMesh& mesh);
-/// @param texture  levels from the finest down to 1×1, each half of the one before, without gaps between them
+/// @param texture  levels from the finest down to 1×1, each half of the one before, without gaps between
+/// them; all of
+///                 them stored
 [[nodiscard]] std::vector<std::byte> to_payload(const TextureData& texture);
 
 /// What a payload holds, or nothing unless all of it is sound: counts and sizes that agree, indices and

@@ -42,7 +42,7 @@ struct ViewCommand {
 
 int draw_picture(const ViewCommand& command) {
     const fs::path& file = command.files[0];
-    const ModelView view = view_model(file, command.wishes);
+    ModelView view = view_model(file, command.wishes);
     render::RenderThread thread{{.window = {}, .shaders = {}, .gl_errors_throw = false}};
     const ModelPicture picture =
         draw_model(thread, view, command.out.extension() == ".exr", command.options.quiet, {});

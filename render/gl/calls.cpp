@@ -62,8 +62,8 @@ void count_calls() {
              &glBindVertexArray, &glUniform4f, &glUseProgram>();
     take_all<CallKind::state, &glBlendFunc, &glClipControl, &glColorMask, &glCullFace, &glDepthFunc,
              &glDepthMask, &glDisable, &glEnable, &glFrontFace, &glPixelStorei, &glScissor, &glViewport>();
-    take_all<CallKind::transfer, &glCompressedTextureSubImage2D, &glGetTextureImage, &glMapNamedBufferRange,
-             &glNamedBufferSubData, &glTextureSubImage2D, &glUnmapNamedBuffer>();
+    take_all<CallKind::transfer, &glCompressedTextureSubImage2D, &glCopyImageSubData, &glGetTextureImage,
+             &glMapNamedBufferRange, &glNamedBufferSubData, &glTextureSubImage2D, &glUnmapNamedBuffer>();
     take_all<CallKind::object, &glAttachShader, &glCheckNamedFramebufferStatus, &glCompileShader,
              &glCreateBuffers, &glCreateFramebuffers, &glCreateProgram, &glCreateQueries, &glCreateSamplers,
              &glCreateShader, &glCreateTextures, &glCreateVertexArrays, &glDeleteBuffers,

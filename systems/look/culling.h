@@ -12,6 +12,10 @@
 
 namespace rambla::systems {
 
+/// Bits of the visibility masks.
+inline constexpr std::uint32_t k_seen_by_camera = 1u;
+inline constexpr std::uint32_t k_seen_by_sun = 2u;  ///< may throw a shadow into the picture
+
 /// Renderables of one chunk, and the place of its first row in the columns of all.
 struct LookChunk {
     std::span<const ecs::Entity> entities;

@@ -12,10 +12,6 @@
 
 namespace rambla::systems {
 
-/// Bits of the visibility masks that packing reads.
-inline constexpr std::uint32_t k_seen_by_camera = 1u;
-inline constexpr std::uint32_t k_seen_by_sun = 2u;  ///< may throw a shadow into the picture
-
 /// Turns what was seen into the Frame's sorted queues. Keeps its memory.
 class PackQueues {
 public:

@@ -65,6 +65,15 @@ TEST_F(CommandLine, ErrorsNameOptionValueAndRange) {
     EXPECT_THAT(complaint("--nonsense"), testing::HasSubstr("--nonsense"));
 }
 
+TEST_F(CommandLine, TexturesHaveABudgetAndAnUploadLimit) {
+    EXPECT_EQ(options.settings.textures.budget_mib, 1024.0f);
+    parse("--textures budget=12.5,upload=2");
+    EXPECT_EQ(options.settings.textures.budget_mib, 12.5f);
+    EXPECT_EQ(options.settings.textures.upload_mib, 2.0f);
+    EXPECT_THAT(complaint("--textures budget=0"), testing::HasSubstr("0.125 to 65536 MiB"));
+    EXPECT_THAT(complaint("--textures size=3"), testing::HasSubstr("budget, upload"));
+}
+
 TEST_F(CommandLine, WholeNumbersAreDigitsAlone) {
     for (const char* const text : {"-1", "+1", "1.5", "1e3", "0x10", "many", "18446744073709551616"}) {
         const std::string said = complaint(std::string{"--seed="} + text);

@@ -24,6 +24,29 @@ TEST(WalkReport, StatesTheTimeOfAFrame) {
     EXPECT_NEAR(summary_json(measures)["frame_ms_p99"].get<double>(), 29.8, 1e-9);
 }
 
+TEST(WalkReport, StatesWhatTexturesTookAfterTheLastFrame) {
+    WalkMeasures measures = walk_of(2);
+    measures.drawn[1].gpu_memory_bytes = 9000;
+    measures.drawn[1].textures = {.resident_bytes = 5 << 20,
+                                  .peak_bytes = 6 << 20,
+                                  .budget_bytes = 8 << 20,
+                                  .loads = 7,
+                                  .pending_loads = 2,
+                                  .below_demand = 3};
+    EXPECT_THAT(
+        summary_text(measures),
+        testing::HasSubstr("textures 5.0 MiB resident, 6.0 MiB at most, of a budget of 8.0 MiB; 7 loads, 2 "
+                           "pending, 3 images coarser"));
+    const nlohmann::json json = summary_json(measures);
+    EXPECT_EQ(json["gpu_memory_bytes"], 9000);
+    EXPECT_EQ(json["textures"]["resident_bytes"], 5 << 20);
+    EXPECT_EQ(json["textures"]["peak_bytes"], 6 << 20);
+    EXPECT_EQ(json["textures"]["budget_bytes"], 8 << 20);
+    EXPECT_EQ(json["textures"]["loads"], 7);
+    EXPECT_EQ(json["textures"]["pending_loads"], 2);
+    EXPECT_EQ(json["textures"]["below_demand"], 3);
+}
+
 TEST(WalkReport, AWalkTooShortForFrameTimesStatesNone) {
     const WalkMeasures measures = walk_of(2);
     EXPECT_THAT(summary_text(measures), testing::HasSubstr("1.00 frames per second\n"));

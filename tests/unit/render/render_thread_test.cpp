@@ -11,6 +11,7 @@
 
 #include "render/gl/context.h"
 #include "render/gl/object.h"
+#include "support/texture_levels.h"
 
 namespace rambla::render {
 namespace {
@@ -251,6 +252,83 @@ TEST(RenderThread, KeepsDrawingWithTheOldProgramsWhenAReloadFails) {
     EXPECT_THAT(outputs[1].shader_error, HasSubstr("tonemap.frag.glsl:"));
     EXPECT_EQ(outputs[2].shader_error, "");
     EXPECT_TRUE(outputs[2].display.has_value());
+}
+
+/// Hands over a scene of one image whose finer levels come from the source that is returned.
+std::shared_ptr<tests::TestLevels> upload_image(RenderThread& thread) {
+    const std::vector<assets::TextureData> images{tests::noise_texture(256, 256, 1)};
+    auto source = std::make_shared<tests::TestLevels>(images);
+    auto processed = std::make_shared<assets::ProcessedScene>();
+    processed->images = tests::floors_of(images);
+    processed->textures.push_back({.name = "", .image = 0, .sampler = {}});
+    processed->materials.emplace_back().base_colour_texture.texture = 0;
+    thread.upload(std::make_shared<assets::Scene>(), processed, source);
+    return source;
+}
+
+void fill_textured(FrameInput& input, std::uint64_t number) {
+    fill(input, number);
+    input.frame.texture_demand = {0};
+}
+
+TEST(RenderThread, NoFrameWaitsForLevelsOfTextures) {
+    RenderThread thread{quick()};
+    const std::shared_ptr<tests::TestLevels> source = upload_image(thread);
+    source->allow(0);
+    for (std::uint64_t i = 0; i < 6; ++i) {
+        fill_textured(thread.begin(), i);
+        thread.submit();
+    }
+    thread.finish();
+    std::vector<FrameOutput> outputs = thread.collect();
+    EXPECT_THAT(numbers_of(outputs), ElementsAre(0, 1, 2, 3, 4, 5));
+    for (const FrameOutput& output : outputs) {
+        EXPECT_EQ(output.feedback.textures.pending_loads, 1u);
+        EXPECT_EQ(output.feedback.textures.below_demand, 1u);
+    }
+    source->allow(1);
+    fill_textured(thread.begin(), 6);
+    thread.submit();
+    thread.finish();
+    outputs = thread.collect();
+    EXPECT_EQ(outputs.at(0).feedback.textures.below_demand, 0u);
+    EXPECT_EQ(outputs.at(0).feedback.textures.loads, 1u);
+    EXPECT_EQ(outputs.at(0).feedback.gl_objects, gl::live_counts().objects)
+        << "the texture that was replaced is gone when the frame is drawn";
+}
+
+TEST(RenderThread, APictureThatIsKeptWaitsForItsTextures) {
+    RenderThread thread{quick()};
+    const std::shared_ptr<tests::TestLevels> source = upload_image(thread);
+    source->allow(0);
+    FrameInput& input = thread.begin();
+    fill_textured(input, 0);
+    input.complete_textures = true;
+    thread.submit();
+    fill_textured(thread.begin(), 1);  // the other slot is free meanwhile
+    std::this_thread::sleep_for(std::chrono::milliseconds{50});
+    EXPECT_TRUE(thread.collect().empty());
+    source->allow(1);
+    thread.submit();
+    thread.finish();
+    const std::vector<FrameOutput> outputs = thread.collect();
+    EXPECT_THAT(numbers_of(outputs), ElementsAre(0, 1));
+    EXPECT_EQ(outputs[0].feedback.textures.below_demand, 0u);
+}
+
+TEST(RenderThread, EndsInPeaceWithLoadsPending) {
+    for (const bool waiting : {false, true}) {
+        RenderThread thread{quick()};
+        const std::shared_ptr<tests::TestLevels> source = upload_image(thread);
+        source->allow(0);
+        FrameInput& input = thread.begin();
+        fill_textured(input, 0);
+        input.complete_textures = waiting;
+        thread.submit();
+        for (int i = 0; i < 3000 && source->asked() == 0; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds{10});
+        EXPECT_EQ(source->asked(), 1u);
+    }
 }
 
 }  // namespace
