@@ -41,9 +41,9 @@ struct BulkRows {
     /// while it is still in the cache.
     std::uint32_t move_and_close(Archetype& from, std::span<const std::uint32_t> rows, Archetype& to,
                                  std::span<std::uint32_t> fillers) const noexcept;
-    /// Names the entity of a row; of one behind the last, ahead of send(), too.
-    static void set_entity(Archetype& archetype, std::uint32_t row, Entity entity) noexcept {
-        archetype.entities_[row] = entity;
+    /// The entities of rows that are behind the last yet, for send(); reserve() came before.
+    static std::span<Entity> coming(Archetype& archetype, std::size_t count) noexcept {
+        return {archetype.entities_ + archetype.rows_, count};
     }
     /// The same into places of the caller's choice: moves[i].row becomes number moves[i].command of those
     /// that come to `to`, whose entities and records the caller has written.

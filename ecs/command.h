@@ -42,10 +42,17 @@ struct CommandType {
     bool values_end;      ///< some part has a destructor to call
     bool beside_columns;  ///< some part is stored sparse or shared
     std::span<const CommandPart> parts;
+    std::size_t stride;  ///< from one command's values to the next's where they lie one behind the other
     /// Set for commands about all entities of the archetypes that it says yes to.
     bool (*fits)(const ArchetypeGraph& graph, const Archetype& archetype) = nullptr;
     /// Constructs copies of a value, for those.
     void (*fill)(void* first, std::size_t count, const void* value) noexcept = nullptr;
+
+    /// Whether it gives a value to, or takes a column from, the row of one entity and does nothing else.
+    [[nodiscard]] bool is_about_one_column() const {
+        return (kind == CommandKind::add || kind == CommandKind::remove) && !beside_columns &&
+               !holds_entities && fits == nullptr;
+    }
 };
 
 struct Command {
@@ -93,13 +100,15 @@ struct CommandLayout {
         result[sizeof...(Cs)] = next;
         return result;
     }();
-    static constexpr std::size_t size = offsets[sizeof...(Cs)];
+    /// All, up to where the next may begin.
+    static constexpr std::size_t stride = (offsets[sizeof...(Cs)] + alignment - 1) / alignment * alignment;
 };
 
 template <CommandKind Kind, class... Cs>
 struct CommandTypeOf {
     std::array<CommandPart, sizeof...(Cs)> parts;
-    CommandType type{Kind, false, false, false, parts};
+    CommandType type{Kind,  false, false,
+                     false, parts, Kind == CommandKind::remove ? 0 : CommandLayout<Cs...>::stride};
 
     CommandTypeOf() {
         [[maybe_unused]] std::size_t i = 0;

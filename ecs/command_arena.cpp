@@ -24,11 +24,11 @@ std::byte* CommandArena::take_from_next(std::size_t bytes) {
             {std::unique_ptr<std::byte, Deleter>{static_cast<std::byte*>(::operator new(size, k_alignment))},
              size});
     }
-    bytes_ = blocks_[next_].bytes.get();
-    size_ = blocks_[next_].size;
-    used_ = bytes;
+    std::byte* const first = blocks_[next_].bytes.get();
+    free_ = first + bytes;
+    end_ = first + blocks_[next_].size;
     ++next_;
-    return bytes_;
+    return first;
 }
 
 std::size_t CommandArena::memory_bytes() const {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace rambla::ecs {
@@ -16,17 +18,21 @@ public:
 
     /// Raw memory, aligned to `alignment`, a power of two of at most 64; valid until clear().
     [[nodiscard]] std::byte* take(std::size_t bytes, std::size_t alignment) {
-        const std::size_t begin = (used_ + alignment - 1) & ~(alignment - 1);
-        if (begin + bytes > size_) return take_from_next(bytes);
-        used_ = begin + bytes;
-        return bytes_ + begin;
+        const std::size_t skipped = -reinterpret_cast<std::uintptr_t>(free_) & (alignment - 1);
+        if (skipped + bytes > static_cast<std::size_t>(end_ - free_)) return take_from_next(bytes);
+        free_ += skipped + bytes;
+        return free_ - bytes;
+    }
+    /// Raw memory right behind what was taken last. Null if its block is full.
+    [[nodiscard]] std::byte* take_behind(std::size_t bytes) {
+        if (bytes > static_cast<std::size_t>(end_ - free_)) return nullptr;
+        return std::exchange(free_, free_ + bytes);
     }
     /// Forgets the contents, keeps the blocks.
     void clear() noexcept {
         next_ = 0;
-        bytes_ = nullptr;
-        size_ = 0;
-        used_ = 0;
+        free_ = nullptr;
+        end_ = nullptr;
     }
 
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -43,10 +49,9 @@ private:
     std::byte* take_from_next(std::size_t bytes);
 
     std::vector<Block> blocks_;
-    std::size_t next_ = 0;        ///< the block to fill next
-    std::byte* bytes_ = nullptr;  ///< the one being filled
-    std::size_t size_ = 0;        ///< bytes of it
-    std::size_t used_ = 0;        ///< bytes of it that are taken
+    std::size_t next_ = 0;       ///< the block to fill next
+    std::byte* free_ = nullptr;  ///< what is left of the one being filled
+    std::byte* end_ = nullptr;
 };
 
 }  // namespace rambla::ecs

@@ -37,15 +37,21 @@ Playback CommandPlayer::play(std::span<Commands* const> recordings, std::string_
 }
 
 Playback CommandPlayer::play_once(std::span<Commands* const> recordings) {
-    merge(recordings);
+    number_placeholders(recordings);
     std::size_t dropped = 0;
     std::size_t next = 0;
     try {
+        const CommandType* const type = list_alike(recordings);
+        if (type != nullptr && alike_.play(world_.graph_, bulk(), *type, runs_)) {
+            give_created_to(recordings);
+            return {commands_before_.back(), 0};
+        }
+        merge(recordings);
         while (next < commands_.size()) {
             const std::size_t end = end_of_singles(next);
             const std::span<const Command> singles = commands_.subspan(next, end - next);
-            if ((world_.observers_ == nullptr || world_.observers_->idle()) && are_alike(singles) &&
-                alike_.play(world_.graph_, bulk(), singles)) {
+            if (type == nullptr && list_alike(singles) &&
+                alike_.play(world_.graph_, bulk(), *singles[0].type, runs_)) {
                 next = end;
             } else if (end != next) {
                 dropped += play_single(recordings, next, end);
@@ -67,19 +73,44 @@ Playback CommandPlayer::play_once(std::span<Commands* const> recordings) {
     return playback;
 }
 
+const CommandType* CommandPlayer::list_alike(std::span<Commands* const> recordings) {
+    if (commands_before_.back() < AlikeMoves::k_fewest || !unobserved()) return nullptr;
+    const CommandType* type = nullptr;
+    runs_.clear();
+    for (const Commands* recording : recordings) {
+        if (recording->empty()) continue;
+        if (type == nullptr) type = recording->list_.alike_type();
+        if (type == nullptr || recording->list_.alike_type() != type) return nullptr;
+        recording->list_.append_runs_to(runs_);
+    }
+    return type;
+}
+
+bool CommandPlayer::list_alike(std::span<const Command> commands) {
+    if (commands.size() < AlikeMoves::k_fewest || !unobserved()) return false;
+    const CommandType& type = *commands[0].type;
+    if (!type.is_about_one_column()) return false;
+    runs_.clear();
+    const std::byte* next = nullptr;
+    for (const Command& command : commands) {
+        if (command.type != &type) return false;
+        if (runs_.empty() || command.values != next)
+            runs_.push_back({&command.entity, sizeof(Command), command.values, 0});
+        ++runs_.back().count;
+        next = command.values + type.stride;
+    }
+    return true;
+}
+
+bool CommandPlayer::unobserved() const {
+    return world_.observers_ == nullptr || world_.observers_->idle();
+}
+
 std::size_t CommandPlayer::end_of_singles(std::size_t first) const {
-    if (one_type_ && commands_[first].type->fits == nullptr) return commands_.size();
     std::size_t end = first;
     while (end < commands_.size() && commands_[end].type->fits == nullptr)
         ++end;
     return end;
-}
-
-bool CommandPlayer::are_alike(std::span<const Command> commands) const {
-    if (commands.size() < AlikeMoves::k_fewest) return false;
-    return one_type_ || std::ranges::all_of(commands, [&](const Command& command) {
-               return command.type == commands[0].type;
-           });
 }
 
 std::size_t CommandPlayer::play_single(std::span<Commands* const> recordings, std::size_t first,
@@ -162,34 +193,29 @@ void CommandPlayer::remove_from_whole(const CommandPart& part) {
         bulk().move_all(*from, world_.graph_.toggled(*from, component));
 }
 
-void CommandPlayer::merge(std::span<Commands* const> recordings) {
+void CommandPlayer::number_placeholders(std::span<Commands* const> recordings) {
     created_.clear();
     placeholders_.assign(1, 0);
     commands_before_.assign(1, 0);
-    one_type_ = true;
-    const CommandType* type = nullptr;
     for (Commands* recording : recordings) {
-        commands_before_.push_back(commands_before_.back() + recording->commands_.size());
+        commands_before_.push_back(commands_before_.back() + recording->size());
         placeholders_.push_back(placeholders_.back() + recording->placeholders_);
-        if (!recording->empty()) {
-            const bool same = type == nullptr || type == recording->last_type_;
-            one_type_ = one_type_ && same && recording->runs_ == 1;
-            type = recording->last_type_;
-        }
         recording->created_.clear();
         recording->created_.reserve(recording->placeholders_);
     }
     created_.reserve(placeholders_.back());
+}
+
+void CommandPlayer::merge(std::span<Commands* const> recordings) {
     if (recordings.size() == 1) {
-        commands_ = recordings[0]->commands_;
+        commands_ = recordings[0]->list_.one_by_one();
         return;
     }
     merged_.clear();
     for (std::size_t i = 0; i < recordings.size(); ++i) {
-        const std::vector<Command>& commands = recordings[i]->commands_;
-        merged_.insert(merged_.end(), commands.begin(), commands.end());
+        recordings[i]->list_.append_to(merged_);
         if (placeholders_.back() == 0) continue;
-        for (Command& command : std::span{merged_}.last(commands.size())) {
+        for (Command& command : std::span{merged_}.last(recordings[i]->size())) {
             if (command.entity.generation != 0) continue;
             const bool known = command.entity.index < recordings[i]->placeholders_;
             command.entity.index = known ? command.entity.index + placeholders_[i] : Entity{}.index;
@@ -400,13 +426,13 @@ void CommandPlayer::give_created_to(std::span<Commands* const> recordings) {
     for (std::size_t i = 0; i < recordings.size(); ++i) {
         const CreatedEntities created = created_of(i);
         recordings[i]->created_.assign(created.begin(), created.end());
-        recordings[i]->forget_from(recordings[i]->commands_.size());
+        recordings[i]->forget_from(recordings[i]->size());
     }
 }
 
 std::size_t CommandPlayer::memory_bytes() const {
     return sizeof(CommandPlayer) + plan_.memory_bytes() + alike_.memory_bytes() +
-           merged_.capacity() * sizeof(Command) +
+           runs_.capacity() * sizeof(CommandRun) + merged_.capacity() * sizeof(Command) +
            (placeholders_.capacity() + fillers_.capacity()) * sizeof(std::uint32_t) +
            (created_.capacity() + fresh_.capacity()) * sizeof(Entity) +
            incoming_.capacity() * sizeof(std::uint64_t) + commands_before_.capacity() * sizeof(std::size_t) +

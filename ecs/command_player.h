@@ -31,13 +31,19 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
+    /// Lists all that was recorded in runs_ if AlikeMoves may take it, and returns its type; else null.
+    const CommandType* list_alike(std::span<Commands* const> recordings);
+    /// The same with a part of commands_. Returns whether it did.
+    bool list_alike(std::span<const Command> commands);
+    /// Makes commands_ of all recordings.
     void merge(std::span<Commands* const> recordings);
+    void number_placeholders(std::span<Commands* const> recordings);
     /// Plays commands about single entities. Says how many were dropped.
     std::size_t play_single(std::span<Commands* const> recordings, std::size_t first, std::size_t end);
     /// Where the commands about single entities end that begin at `first`.
     [[nodiscard]] std::size_t end_of_singles(std::size_t first) const;
-    /// Whether commands are all of one type.
-    [[nodiscard]] bool are_alike(std::span<const Command> commands) const;
+    /// Whether nobody wants to know which commands change what.
+    [[nodiscard]] bool unobserved() const;
     void play_whole(const Command& command, std::size_t recording);
     void add_to_whole(const Command& command, const CommandPart& part);
     void replace_whole(const Command& command, const ComponentInfo& info, Archetype& archetype,
@@ -69,9 +75,9 @@ private:
 
     World& world_;
     AlikeMoves alike_;
+    std::vector<CommandRun> runs_;  ///< for it
     CommandPlan plan_;
     std::span<const Command> commands_;         ///< of all recordings
-    bool one_type_ = false;                     ///< all commands_ are known to be of one type
     std::vector<Command> merged_;               ///< where commands_ are if there are several recordings
     std::vector<std::uint32_t> placeholders_;   ///< before each recording, and after the last
     std::vector<std::size_t> commands_before_;  ///< each recording, and all

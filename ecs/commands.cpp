@@ -22,21 +22,12 @@ Entity Commands::created(Entity placeholder) const {
 }
 
 std::size_t Commands::memory_bytes() const {
-    return arena_.memory_bytes() + commands_.capacity() * sizeof(detail::Command) +
-           created_.capacity() * sizeof(Entity);
+    return list_.memory_bytes() + created_.capacity() * sizeof(Entity);
 }
 
 void Commands::forget_from(std::size_t first) noexcept {
-    for (std::size_t i = first; i < commands_.size(); ++i) {
-        const detail::Command& command = commands_[i];
-        if (!command.type->values_end) continue;
-        for (const detail::CommandPart& part : command.type->parts)
-            detail::destroy_rows(*part.info, command.values + part.offset, 1);
-    }
-    commands_.clear();
-    last_type_ = nullptr;
-    runs_ = 0;
-    arena_.clear();
+    list_.end_values_from(first);
+    list_.clear();
     placeholders_ = 0;
 }
 

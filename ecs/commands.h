@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ecs/command.h"
-#include "ecs/command_arena.h"
+#include "ecs/command_list.h"
 #include "ecs/component.h"
 #include "ecs/entity.h"
 #include "ecs/whole_commands.h"
@@ -59,12 +59,10 @@ public:
     /// Takes a component away. Dropped and counted when played if it is not there then.
     template <Component C>
     void remove(Entity entity) {
-        push(entity, detail::command_type<detail::CommandKind::remove, C>(), nullptr);
+        record(detail::command_type<detail::CommandKind::remove, C>(), entity);
     }
     /// Ends an entity. Dropped and counted when played if it ended before.
-    void destroy(Entity entity) {
-        push(entity, detail::command_type<detail::CommandKind::destroy>(), nullptr);
-    }
+    void destroy(Entity entity) { record(detail::command_type<detail::CommandKind::destroy>(), entity); }
     /// destroy() for each, in their order.
     void destroy_many(std::span<const Entity> entities) {
         for (Entity entity : entities)
@@ -82,12 +80,12 @@ public:
     /// Takes C from all entities that have it and fit the terms.
     template <Component C, class... Terms>
     void remove_from_all() {
-        push({}, detail::whole_command_type<detail::CommandKind::remove, C, Terms...>(), nullptr);
+        record(detail::whole_command_type<detail::CommandKind::remove, C, Terms...>(), Entity{});
     }
     /// Ends all entities that fit the terms.
     template <class... Terms>
     void destroy_all() {
-        push({}, detail::whole_destroy_type<Terms...>(), nullptr);
+        record(detail::whole_destroy_type<Terms...>(), Entity{});
     }
 
     /// Makes the changes and empties the recording. Commands whose target ended earlier, or that remove what
@@ -100,9 +98,9 @@ public:
     /// Forgets what was recorded.
     void clear() noexcept;
     /// Whether nothing is recorded.
-    [[nodiscard]] bool empty() const { return commands_.empty(); }
+    [[nodiscard]] bool empty() const { return list_.empty(); }
     /// Number of commands recorded; one for all entities counts as one.
-    [[nodiscard]] std::size_t size() const { return commands_.size(); }
+    [[nodiscard]] std::size_t size() const { return list_.size(); }
 
     /// Memory held, without what values recorded own.
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -115,20 +113,10 @@ private:
 
     template <class... Cs>
     void record(const detail::CommandType& type, Entity entity, Cs&... values);
-    void push(Entity entity, const detail::CommandType& type, std::byte* values) {
-        if (&type != last_type_) {
-            last_type_ = &type;
-            ++runs_;
-        }
-        commands_.push_back({entity, &type, values});
-    }
     /// Forgets the commands from `first` on and ends their values; those before it have none left.
     void forget_from(std::size_t first) noexcept;
 
-    CommandArena arena_;
-    std::vector<detail::Command> commands_;
-    const detail::CommandType* last_type_ = nullptr;
-    std::size_t runs_ = 0;         ///< of neighbouring commands of one type
+    detail::CommandList list_;
     std::vector<Entity> created_;  ///< by placeholder, of the last apply()
     std::uint32_t placeholders_ = 0;
 };
@@ -148,8 +136,7 @@ Entity Commands::create(Cs... values) {
 template <class... Cs>
 void Commands::record(const detail::CommandType& type, Entity entity, Cs&... values) {
     using Layout = detail::CommandLayout<Cs...>;
-    std::byte* bytes = Layout::size == 0 ? nullptr : arena_.take(Layout::size, Layout::alignment);
-    push(entity, type, bytes);
+    [[maybe_unused]] std::byte* const bytes = list_.push(entity, type, Layout::stride, Layout::alignment);
     [[maybe_unused]] std::size_t next = 0;  // nothing fails from here on
     [[maybe_unused]] const auto store = [&]<class C>(C& value) {
         const std::size_t offset = Layout::offsets[next++];

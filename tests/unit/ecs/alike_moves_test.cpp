@@ -96,6 +96,42 @@ TEST(AlikeMoves, LeaveNoGapAndNoDouble) {
     EXPECT_EQ(crowd.count.use_count(), k_entities + 1);
 }
 
+TEST(AlikeMoves, WhatIsThereIsReplacedInItsPlaceAndEndsOnceEach) {
+    Crowd crowd;
+    const auto other = std::make_shared<int>(1);
+    const std::uint32_t seen = crowd.world.advance_version();
+    for (Entity entity : crowd.chosen)
+        crowd.commands.add(entity, Owner{other});
+    const auto last = std::make_shared<int>(2);
+    crowd.commands.add(crowd.chosen[5], Owner{last});  // the one that comes last counts
+    EXPECT_EQ(crowd.commands.apply(crowd.world).applied, k_chosen + 1);
+    EXPECT_EQ(crowd.count.use_count(), k_entities - k_chosen + 1);
+    EXPECT_EQ(other.use_count(), k_chosen);
+    EXPECT_EQ(crowd.world.get<Owner>(crowd.chosen[5]).owned, last);
+    EXPECT_EQ(last.use_count(), 2);
+    std::vector<Entity> order;
+    Query<Entity, const Owner> query;
+    for (const auto& chunk : query.chunks(crowd.world)) {
+        EXPECT_TRUE(chunk.changed_since<Owner>(seen));
+        for (Entity entity : chunk.get<0>())
+            order.push_back(entity);
+    }
+    EXPECT_EQ(order, crowd.all) << "no row has moved";
+}
+
+TEST(AlikeMoves, WhereOneLacksWhatOthersHaveNothingIsReplacedTwice) {
+    Crowd crowd;
+    const Entity bare = crowd.world.create(Number{1});
+    const auto other = std::make_shared<int>(1);
+    for (Entity entity : crowd.chosen)
+        crowd.commands.add(entity, Owner{other});
+    crowd.commands.add(bare, Owner{other});
+    EXPECT_EQ(crowd.commands.apply(crowd.world).applied, k_chosen + 1);
+    EXPECT_EQ(crowd.count.use_count(), k_entities - k_chosen + 1);
+    EXPECT_EQ(other.use_count(), k_chosen + 2);
+    EXPECT_EQ(crowd.world.get<Owner>(bare).owned, other);
+}
+
 TEST(AlikeMoves, TakeAwayAndEndWhatIsTaken) {
     Crowd crowd;
     for (Entity entity : crowd.chosen)

@@ -167,13 +167,13 @@ TEST(HierarchyMemory, CountsTheRecordingsThatItAndObserversKeep) {
     const Entity first = make_tree();
     const std::size_t observers = world.observers().memory_bytes(), all = world.memory_bytes();
     world.destroy(first);
-    EXPECT_GE(world.observers().memory_bytes(), observers + k_children * sizeof(detail::Command));
-    EXPECT_GE(world.memory_bytes(), all + k_children * sizeof(detail::Command));
+    EXPECT_GE(world.observers().memory_bytes(), observers + k_children * sizeof(Entity));
+    EXPECT_GE(world.memory_bytes(), all + k_children * sizeof(Entity));
 
     const Entity second = make_tree();
     const std::size_t held = hierarchy.memory_bytes();  // its lists have their size from the first tree
     EXPECT_EQ(hierarchy.destroy(second), k_children + 1);
-    EXPECT_GE(hierarchy.memory_bytes(), held + k_children * sizeof(detail::Command));
+    EXPECT_GE(hierarchy.memory_bytes(), held + k_children * sizeof(Entity));
 }
 
 }  // namespace
