@@ -68,9 +68,9 @@ systems::Eye first_eye(const ViewCommand& command, const assets::Scene& scene, c
 }
 
 /// Shadows reach as far as the model does, whatever its scale, unless the user has said how far.
-render::Settings settings_for(const ViewCommand& command, const systems::Eye& eye,
-                              const assets::Bounds& box) {
-    render::Settings settings = command.options.settings;
+render::Settings settings_for(const ViewCommand& command, const systems::Eye& eye, const assets::Bounds& box,
+                              float exposure_ev) {
+    render::Settings settings = command.options.settings_at(exposure_ev);
     if (command.shadows->count() > 0 || box.empty()) return settings;
     const glm::vec3 to_centre = systems::offset_m(eye.place, command.options.origin) + box.centre();
     settings.shadows.distance_m = glm::length(to_centre) + glm::length(box.half_extents());
@@ -173,13 +173,17 @@ int run(ViewCommand& command) {
             fmt::format("--out is '{}', expected a name that ends in .png or .exr", command.out.string())};
     }
     assets::Scene scene = assets::import_gltf(command.file);
-    const assets::Environment light = viewing_light(scene);
-    Stage stage = make_stage(std::move(scene), light, command.options.origin);
+    const ViewingLight light = viewing_light(scene, command.options.time);
+    if (light.own && command.options.time != assets::TimeOfDay{}) {
+        throw std::invalid_argument{fmt::format("--time is {}, but {} brings its own light",
+                                                to_text(command.options.time), command.file.string())};
+    }
+    Stage stage = make_stage(std::move(scene), light.environment, command.options.origin);
     const std::optional<std::uint32_t> clip = chosen_clip(command, stage, windowed);
     const assets::Bounds box = clip_bounds(stage, clip);
     if (clip) show_clip(stage, *clip, command.clip_time_s);
     const systems::Eye eye = first_eye(command, *stage.scene, box);
-    const render::Settings settings = settings_for(command, eye, box);
+    const render::Settings settings = settings_for(command, eye, box, light.exposure_ev);
     return windowed ? show_window(command, stage, eye, box, settings)
                     : draw_picture(command, stage, eye, settings);
 }
@@ -193,7 +197,7 @@ Command add_view(CLI::App& program) {
     line->footer(
         "Looks through the file's first camera, or shows everything if it has none. The light is the file's "
         "own with a\n"
-        "soft sky; a file without lights stands in the noon sun.\n"
+        "soft sky; a file without lights stands in the noon sun, or in the light of --time.\n"
         "Opens a window where there is a display, unless --headless or --out is given. In the window the "
         "left button\n"
         "turns around the model, the wheel comes nearer; F1 shows the keys. The first clip plays there, or "
@@ -224,6 +228,7 @@ Command add_view(CLI::App& program) {
         ->transform(whole_number())
         ->excludes(headless)
         ->excludes(out);
+    add_time_option(*line, options);
     add_place_options(*line, options);
     add_picture_options(*line, options);
     add_message_options(*line, options);
