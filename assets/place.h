@@ -52,6 +52,13 @@ struct ActorStart {
     bool backwards = false;  ///< starts towards `from`
 };
 
+/// A node that goes straight ahead in its parent's xz plane and is mirrored by the walls of a square.
+struct MoverStart {
+    std::uint32_t node = k_none;  ///< shown by the scene; its translation is where it starts
+    float heading_rad = 0.0f;     ///< from +X towards +Z; the node's own +X looks there
+    float speed_m_s = 1.0f;
+};
+
 /// One key of a scripted camera path.
 struct CameraKey {
     float time_s = 0.0f;
@@ -63,11 +70,16 @@ struct CameraKey {
 struct Place {
     Scene scene;
     Environment environment;
+    float exposure_ev =
+        0.0f;  ///< at which pictures of it look as its light should, unless the user knows better
     PathNetwork pavements;
     PathNetwork lanes;
     std::vector<ActorStart> actors;
+    std::vector<MoverStart> movers;
+    float mover_reach_m = 0.0f;   ///< the movers' walls stand at ±this in x and z
     std::vector<CameraKey> walk;  ///< times ascend from 0; interpolated smoothly
     float walk_fov_rad = 1.0f;    ///< vertical
+    float walk_near_m = 0.05f;    ///< distance of the near plane
 };
 
 }  // namespace rambla::assets

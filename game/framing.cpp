@@ -82,7 +82,7 @@ Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box, const systems
             .pitch_rad = std::asin(std::clamp(-ahead.y, -1.0f, 1.0f))};
 }
 
-assets::Environment viewing_light(const assets::Scene& scene) {
+ViewingLight viewing_light(const assets::Scene& scene, assets::TimeOfDay time) {
     assets::Environment light = assets::noon();
     bool lit = false;
     bool sunlit = false;
@@ -96,13 +96,13 @@ assets::Environment viewing_light(const assets::Scene& scene) {
         light.direction_to_sun = glm::normalize(glm::vec3{placed.scene_from_node[2]});
         light.sun_illuminance = own.colour * own.intensity;
     }
-    if (!lit) return light;
+    if (!lit) return {assets::daylight(time), assets::daylight_exposure_ev(time), false};
     if (!sunlit) light.sun_illuminance = glm::vec3{0.0f};
     constexpr float k_soft_sky = 0.15f;
     light.sky_zenith_radiance *= k_soft_sky;
     light.sky_horizon_radiance *= k_soft_sky;
     light.ground_radiance *= k_soft_sky;
-    return light;
+    return {light, 0.0f, true};
 }
 
 }  // namespace rambla::game

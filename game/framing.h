@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assets/bounds.h"
+#include "assets/daylight.h"
 #include "assets/environment.h"
 #include "assets/scene.h"
 #include "systems/pipeline.h"
@@ -43,9 +44,14 @@ struct Orbit {
 [[nodiscard]] Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box,
                              const systems::WorldPosition& origin);
 
-/// Light for a viewed scene: its own directional light as the sun; no sun if it has other lights only; noon
-/// if none. With lights of its own, the sky is kept soft, so that shadows are not black and the file's light
-/// dominates.
-[[nodiscard]] assets::Environment viewing_light(const assets::Scene& scene);
+/// Light for a viewed scene: its own directional light as the sun; no sun if it has other lights only; that
+/// of the time of day if none. With lights of its own, the sky is kept soft, so that shadows are not black
+/// and the file's light dominates.
+struct ViewingLight {
+    assets::Environment environment;
+    float exposure_ev = 0.0f;
+    bool own = false;  ///< the file brings lights; the time of day says nothing then
+};
+[[nodiscard]] ViewingLight viewing_light(const assets::Scene& scene, assets::TimeOfDay time);
 
 }  // namespace rambla::game

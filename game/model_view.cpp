@@ -59,8 +59,10 @@ systems::Eye eye_on_everything(const assets::Bounds& box, const ViewWishes& wish
 }
 
 /// Shadows reach as far as the model does, whatever its scale, unless the user has said how far.
-render::Settings settings_for(const ViewWishes& wishes, const systems::Eye& eye, const assets::Bounds& box) {
+render::Settings settings_for(const ViewWishes& wishes, const systems::Eye& eye, const assets::Bounds& box,
+                              float exposure_ev) {
     render::Settings settings = wishes.settings;
+    if (!wishes.own_exposure) settings.tone.exposure_ev = exposure_ev;
     if (wishes.own_shadows || box.empty()) return settings;
     const glm::vec3 to_centre = systems::offset_m(eye.place, wishes.origin) + box.centre();
     settings.shadows.distance_m = glm::length(to_centre) + glm::length(box.half_extents());
@@ -71,9 +73,13 @@ render::Settings settings_for(const ViewWishes& wishes, const systems::Eye& eye,
 
 ModelView view_model(const fs::path& file, const ViewWishes& wishes) {
     assets::Scene scene = assets::import_gltf(file);
-    const assets::Environment light = viewing_light(scene);
+    const ViewingLight light = viewing_light(scene, wishes.time);
+    if (light.own && wishes.time != assets::TimeOfDay{}) {
+        throw std::invalid_argument{
+            fmt::format("--time is {}, but {} brings its own light", to_text(wishes.time), file.string())};
+    }
     ModelView view;
-    view.stage = make_stage(std::move(scene), light, wishes.origin);
+    view.stage = make_stage(std::move(scene), light.environment, wishes.origin);
     Stage& stage = view.stage;
     view.camera = chosen_camera(file, wishes, *stage.scene);
     const std::optional<std::uint32_t> clip = chosen_clip(file, wishes, stage);
@@ -82,7 +88,7 @@ ModelView view_model(const fs::path& file, const ViewWishes& wishes) {
                                     : shown_bounds(*stage.world, *stage.scene, stage.origin);
     view.eye = view.camera ? camera_eye(stage, *view.camera, 1.0f) : eye_on_everything(view.box, wishes);
     view.eye.size_px = wishes.size_px;
-    view.settings = settings_for(wishes, view.eye, view.box);
+    view.settings = settings_for(wishes, view.eye, view.box, light.exposure_ev);
     return view;
 }
 

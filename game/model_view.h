@@ -9,6 +9,7 @@
 #include <string>
 
 #include "assets/bounds.h"
+#include "assets/daylight.h"
 #include "assets/image.h"
 #include "game/stage.h"
 #include "render/render_thread.h"
@@ -27,7 +28,9 @@ struct ViewWishes {
     glm::uvec2 size_px{960, 540};
     systems::WorldPosition origin;
     render::Settings settings;
-    bool own_shadows = false;  ///< settings say how far shadows reach; else as far as the model does
+    bool own_exposure = false;  ///< settings say it; else as the light wants it
+    assets::TimeOfDay time;     ///< of the light of a file that brings none
+    bool own_shadows = false;   ///< settings say how far shadows reach; else as far as the model does
 };
 
 /// A file on stage, and the first look at it.

@@ -16,6 +16,7 @@
 #include "game/origin.h"
 #include "game/parameters.h"
 #include "game/size.h"
+#include "game/time_of_day.h"
 
 namespace rambla::game {
 namespace {
@@ -84,10 +85,18 @@ void add_field_option(CLI::App& command, std::string_view field,
 
 }  // namespace
 
+render::Settings Options::settings_at(float exposure_ev) const {
+    render::Settings chosen = settings;
+    if (exposure_given == nullptr || exposure_given->count() == 0) chosen.tone.exposure_ev = exposure_ev;
+    return chosen;
+}
+
 void add_scene_options(CLI::App& command, Options& options) {
     command
         .add_option("--scene", options.scene,
-                    "What is generated, with its parameters: city, city:blocks=2x2, street")
+                    "What is generated, with its parameters: city, city:blocks=2x2, street; or, to compare "
+                    "engines with, "
+                    "blocks, agents")
         ->type_name("SCENE")
         ->capture_default_str();
     command
@@ -95,6 +104,20 @@ void add_scene_options(CLI::App& command, Options& options) {
         ->type_name("N")
         ->transform(whole_number())
         ->capture_default_str();
+}
+
+void add_time_option(CLI::App& command, Options& options) {
+    command
+        .add_option_function<std::string>(
+            "--time",
+            [&options](const std::string& text) {
+                options.time = usage_checked("--time", [&] { return parse_time(text); });
+            },
+            fmt::format(
+                "Time of day, in solar time of a day in early June: dusk is {}, night {}, and 12:00 has the "
+                "sun where it stands then, noon (the default) where it draws good shadows",
+                to_text(assets::k_dusk), to_text(assets::k_night)))
+        ->type_name("noon|dusk|night|HH:MM");
 }
 
 void add_place_options(CLI::App& command, Options& options) {
@@ -129,6 +152,7 @@ void add_picture_options(CLI::App& command, Options& options) {
     add_method_option(command, "--shadows", render::k_shadow_parameters, options.settings.shadows);
     add_method_option(command, "--tonemap", render::k_tone_parameters, options.settings.tone, "exposure");
     add_field_option(command, "exposure", render::k_tone_parameters, options.settings.tone);
+    options.exposure_given = command.get_option("--exposure");
     add_method_option(command, "--aa", render::k_anti_aliasing_parameters, options.settings.anti_aliasing);
     add_method_option(command, "--debug-view", render::k_debug_parameters, options.settings.debug);
     add_fields_option(command, "--textures", "How much of the scene's textures is on the graphics card",

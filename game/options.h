@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "assets/daylight.h"
 #include "render/settings.h"
 #include "systems/components.h"
 
@@ -18,6 +19,7 @@ namespace rambla::game {
 struct Options {
     std::string scene = "city";
     std::uint64_t seed = 1;
+    assets::TimeOfDay time;
     systems::WorldPosition origin;
     glm::uvec2 size_px{960, 540};
     bool headless = false;
@@ -25,9 +27,14 @@ struct Options {
     std::string json;
     bool quiet = false;
     render::Settings settings;
+    const CLI::Option* exposure_given = nullptr;  ///< --exposure, where the command has it
+
+    /// The settings, at the exposure that the light wants unless the user has said another.
+    [[nodiscard]] render::Settings settings_at(float exposure_ev) const;
 };
 
 void add_scene_options(CLI::App& command, Options& options);    ///< --scene --seed
+void add_time_option(CLI::App& command, Options& options);      ///< --time
 void add_place_options(CLI::App& command, Options& options);    ///< --origin --threads
 void add_picture_options(CLI::App& command, Options& options);  ///< --size and every algorithm's own option
 void add_message_options(CLI::App& command, Options& options);  ///< --json --quiet

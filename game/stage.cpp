@@ -18,14 +18,17 @@ void take(Stage& stage, systems::SpawnedScene spawned) {
 
 }  // namespace
 
-Stage make_stage(const std::string& scene, std::uint64_t seed, const systems::WorldPosition& origin) {
-    assets::Place place = assets::generate_place(scene, seed);
+Stage make_stage(const std::string& scene, std::uint64_t seed, assets::TimeOfDay time,
+                 const systems::WorldPosition& origin) {
+    assets::Place place = assets::generate_place(scene, seed, time);
     Stage stage;
     stage.world = std::make_unique<ecs::World>();
     take(stage, systems::spawn(*stage.world, place, origin, seed));
     stage.scene = std::make_shared<const assets::Scene>(std::move(place.scene));
     stage.walk = std::move(place.walk);
     stage.walk_fov_rad = place.walk_fov_rad;
+    stage.walk_near_m = place.walk_near_m;
+    stage.exposure_ev = place.exposure_ev;
     stage.origin = origin;
     return stage;
 }
@@ -48,6 +51,7 @@ systems::Eye walk_eye(const Stage& stage, float time_s) {
     eye.place = systems::moved(stage.origin, glm::dvec3{pose.eye_m});
     eye.rotation = look_rotation(pose.eye_m, pose.target_m);
     eye.vertical_fov_rad = stage.walk_fov_rad;
+    eye.near_m = stage.walk_near_m;
     return eye;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/daylight.h"
 #include "assets/place.h"
 #include "ecs/world.h"
 #include "systems/pipeline.h"
@@ -17,13 +18,16 @@ struct Stage {
     std::shared_ptr<const assets::Scene> scene;
     std::vector<assets::CameraKey> walk;
     float walk_fov_rad = 1.0f;
+    float walk_near_m = 0.05f;
+    float exposure_ev = 0.0f;        ///< that its light wants
     std::vector<ecs::Entity> nodes;  ///< of the scene's nodes; null for those that were not spawned
     ecs::Entity player;              ///< plays the scene's clips; null if it has none
     systems::WorldPosition origin;   ///< where the place's own (0,0,0) stands
 };
 
-/// Generates a scene by its name, such as `city:blocks=2x2`, and spawns it. @throws std::invalid_argument
-[[nodiscard]] Stage make_stage(const std::string& scene, std::uint64_t seed,
+/// Generates a scene by its name, such as `city:blocks=2x2`, in the light of a time, and spawns it. @throws
+/// std::invalid_argument
+[[nodiscard]] Stage make_stage(const std::string& scene, std::uint64_t seed, assets::TimeOfDay time,
                                const systems::WorldPosition& origin);
 
 /// Spawns what a file holds, under the given light; glass is shown by blending.

@@ -18,7 +18,7 @@ namespace rambla::game {
 namespace {
 
 systems::SavedPlace place_of(const Stage& stage, const Options& options) {
-    return {options.scene, options.seed, stage.origin};
+    return {options.scene, options.seed, stage.origin, to_text(options.time)};
 }
 
 std::vector<std::byte> read(const std::filesystem::path& file) {

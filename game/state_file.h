@@ -11,7 +11,7 @@ namespace rambla::game {
 /// @throws assets::Error  if the file cannot be written
 void save_state_file(const std::filesystem::path& file, Stage& stage, const Options& options);
 
-/// Replaces the stage's world by the saved one. The stage holds the same scene, seed and origin.
+/// Replaces the stage's world by the saved one. The stage holds the same scene, seed, time and origin.
 /// @throws assets::Error  if the file cannot be read, or holds no state of this place; the stage is unchanged
 void load_state_file(const std::filesystem::path& file, Stage& stage, const Options& options);
 

@@ -61,6 +61,7 @@ public:
         : stage_{stage},
           options_{options},
           walk_{walk},
+          settings_{options.settings_at(stage.exposure_ev)},
           sheet_{std::min(walk.frames, k_sheet_pictures), options.size_px} {
         if (!options.headless && has_display()) {
             window_.emplace(options.size_px, "Rambla: walk", false);
@@ -100,6 +101,8 @@ public:
             input.draw_graph = i == 0 && !walk_.graph.empty();
             input.complete_textures = !window_;  // in a window nothing waits
             measures_.counts = input.frame.counts;
+            measures_.most_visible_lights =
+                std::max(measures_.most_visible_lights, input.frame.counts.visible_lights);
             note_system_times();
             thread_->submit();
             take_outputs();
@@ -195,7 +198,7 @@ private:
         systems::Eye eye = walk_eye(stage_, time_of(frame));
         eye.size_px = options_.size_px;
         systems::build_frame(*stage_.world, eye, interpolation, input.frame);
-        input.settings = options_.settings;
+        input.settings = settings_;
         input.profile = false;
         input.reload_shaders = false;
         input.complete_textures = false;
@@ -241,6 +244,7 @@ private:
     Stage& stage_;
     const Options& options_;
     const WalkRender& walk_;
+    render::Settings settings_;
     ContactSheet sheet_;
     std::optional<Window> window_;
     std::optional<render::RenderThread> thread_;  // ends before the window whose context it holds

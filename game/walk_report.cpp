@@ -91,9 +91,10 @@ std::string summary_text(const WalkMeasures& m) {
     text += fmt::format("drawn and encoded in {:.1f} s, {:.2f} frames per second{}\n", m.run_s,
                         frames_per_second(m), frame_times_text(m));
     text += fmt::format(
-        "{} entities, {} renderables, {} casters and {} lights; {:.0f} draws and {:.0f} triangles per "
-        "frame\n",
-        m.entities, m.counts.renderables, m.counts.casters, m.counts.lights,
+        "{} entities, {} renderables, {} casters and {} lights, of which up to {} reach the picture; {:.0f} "
+        "draws and "
+        "{:.0f} triangles per frame\n",
+        m.entities, m.counts.renderables, m.counts.casters, m.counts.lights, m.most_visible_lights,
         median_of(m.drawn, &systems::Feedback::draws), median_of(m.drawn, &systems::Feedback::triangles));
     text += fmt::format("{:.0f} GL calls per frame, of which {:.0f} change state, {} blocking ones in all\n",
                         median_of(m.drawn, &systems::Feedback::gl_calls),
@@ -135,6 +136,7 @@ nlohmann::json summary_json(const WalkMeasures& m) {
             {"renderables", m.counts.renderables},
             {"casters", m.counts.casters},
             {"lights", m.counts.lights},
+            {"visible_lights_most", m.most_visible_lights},
             {"draws_median", median_of(m.drawn, &systems::Feedback::draws)},
             {"triangles_median", median_of(m.drawn, &systems::Feedback::triangles)},
             {"gl_calls_median", median_of(m.drawn, &systems::Feedback::gl_calls)},

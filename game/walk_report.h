@@ -38,7 +38,8 @@ struct WalkMeasures {
     double run_s = 0.0;   ///< how long drawing and encoding took
     std::uint64_t steps = 0;
     std::size_t entities = 0;
-    systems::FrameCounts counts;   ///< of the last frame
+    systems::FrameCounts counts;  ///< of the last frame
+    std::uint32_t most_visible_lights = 0;
     std::vector<double> frame_ms;  ///< from frame to frame, once the queue is full
     std::vector<SystemSamples> systems;
     std::vector<HeldSample> held;             ///< after each frame

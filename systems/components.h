@@ -113,6 +113,14 @@ struct PathFollower {
     double travelled_m = 0.0;
 };
 
+/// Goes straight ahead in its parent's xz plane, mirrored by walls at ±reach_m; its LocalTransform says where
+/// it is.
+struct Mover {
+    float heading_rad = 0.0f;  ///< from +X towards +Z; not wrapped
+    float speed_m_s = 1.0f;
+    float reach_m = 1.0f;
+};
+
 /// How an actor walks. A cycle is two steps; each foot stands for one half of it and swings for the other.
 struct Gait {
     float leg_length_m = 0.9f;  ///< hip to sole at rest, in the root's own space; > 0

@@ -99,6 +99,13 @@ struct reflection<PathFollower> {
             .field("travelled_m", &PathFollower::travelled_m, {.unit = "m", .min = 0.0});
 };
 template <>
+struct reflection<Mover> {
+    static constexpr auto value = describe<Mover>("mover")
+                                      .field("heading_rad", &Mover::heading_rad, {.unit = "rad"})
+                                      .field("speed_m_s", &Mover::speed_m_s, {.unit = "m/s", .min = 0.0})
+                                      .field("reach_m", &Mover::reach_m, {.unit = "m", .min = 0.0});
+};
+template <>
 struct reflection<Gait> {
     static constexpr auto value = describe<Gait>("gait")
                                       .field("leg_length_m", &Gait::leg_length_m, {.unit = "m", .min = 0.0})
@@ -188,7 +195,8 @@ struct reflection<SavedPlace> {
     static constexpr auto value = describe<SavedPlace>("saved_place")
                                       .field("scene", &SavedPlace::scene)
                                       .field("seed", &SavedPlace::seed)
-                                      .field("origin", &SavedPlace::origin);
+                                      .field("origin", &SavedPlace::origin)
+                                      .field("time", &SavedPlace::time);
 };
 
 }  // namespace rambla::ecs
@@ -207,6 +215,7 @@ ecs::TypeRegistry component_registry() {
     registry.add<NoShadow>();
     registry.add<LocalLight>();
     registry.add<PathFollower>();
+    registry.add<Mover>();
     registry.add<Gait>();
     registry.add<GaitLimb>();
     registry.add<WheelSpin>();

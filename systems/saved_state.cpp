@@ -18,13 +18,13 @@ namespace {
 
 std::string to_text(const SavedPlace& place) {
     const auto& [cell, local_m] = place.origin;
-    return fmt::format("{}, seed {}, in cell ({} {} {}) at ({} {} {}) m", place.scene, place.seed, cell.x,
-                       cell.y, cell.z, local_m.x, local_m.y, local_m.z);
+    return fmt::format("{}, seed {}, at {}, in cell ({} {} {}) at ({} {} {}) m", place.scene, place.seed,
+                       place.time, cell.x, cell.y, cell.z, local_m.x, local_m.y, local_m.z);
 }
 
 bool same(const SavedPlace& a, const SavedPlace& b) {
     return a.scene == b.scene && a.seed == b.seed && a.origin.cell == b.origin.cell &&
-           a.origin.local_m == b.origin.local_m;
+           a.origin.local_m == b.origin.local_m && a.time == b.time;
 }
 
 template <class R>

@@ -19,6 +19,7 @@ struct SavedPlace {
     std::string scene;
     std::uint64_t seed = 0;
     WorldPosition origin;
+    std::string time = "noon";  ///< of day, see assets::to_text(): it decides which lamps there are
 };
 
 /// The simulation's state as bytes: all entities and the Clock. What follows from the place (Paths, Sunlight,

@@ -4,6 +4,7 @@
 #include "systems/simulate/actors.h"
 #include "systems/simulate/animation.h"
 #include "systems/simulate/deformation.h"
+#include "systems/simulate/movers.h"
 #include "systems/simulate/transform.h"
 
 namespace rambla::systems {
@@ -21,8 +22,9 @@ Simulation make_simulation() {
     schedule.add("actors", follow_paths);
     schedule.add("limbs", swing_limbs).after("actors");
     schedule.add("wheels", roll_wheels).after("limbs");
+    schedule.add("movers", advance_movers).after("wheels");
     schedule.add("players", advance_players);
-    schedule.add("poses", pose_nodes).after("players").after("wheels");
+    schedule.add("poses", pose_nodes).after("players").after("movers");
     schedule.add("morph weights", pose_weights).after("players");
     schedule.add("transforms", TransformPropagation{})
         .after("poses")

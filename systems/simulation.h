@@ -11,8 +11,8 @@ struct Simulation {
     std::unique_ptr<ecs::Schedule> schedule;
 };
 
-/// Actors along their paths, gaits, clips, transforms, deformations, clock. Needs the resources Paths, Clock,
-/// ClipLibrary and Deformations.
+/// Actors along their paths, gaits, movers, clips, transforms, deformations, clock. Needs the resources
+/// Paths, Clock, ClipLibrary and Deformations.
 [[nodiscard]] Simulation make_simulation();
 
 }  // namespace rambla::systems

@@ -7,6 +7,7 @@
 #include "systems/simulate/actors.h"
 #include "systems/simulate/deformation.h"
 #include "systems/simulate/gait.h"
+#include "systems/simulate/movers.h"
 #include "systems/simulate/paths.h"
 #include "systems/simulate/random.h"
 #include "systems/simulate/transform.h"
@@ -111,6 +112,13 @@ void spawn_actor(ecs::World& world, const assets::Scene& scene, const assets::Ac
     add_limbs(world, scene, root, parts, gait);
 }
 
+/// Makes a mover of what was spawned to stand still.
+void start_mover(ecs::World& world, ecs::Entity entity, const assets::MoverStart& start, float reach_m) {
+    world.get_mut<LocalTransform>(entity).rotation = heading_rotation(start.heading_rad);
+    world.add(entity, PreviousWorldTransform{world.get<WorldTransform>(entity)});
+    world.add(entity, Mover{start.heading_rad, start.speed_m_s, reach_m});
+}
+
 }  // namespace
 
 SpawnedScene spawn(ecs::World& world, const assets::Scene& scene, const WorldPosition& origin) {
@@ -146,6 +154,8 @@ SpawnedScene spawn(ecs::World& world, const assets::Place& place, const WorldPos
         const bool car = start.kind == assets::ActorKind::car;
         spawn_actor(world, place.scene, start, car ? first_lane : first_pavement, origin);
     }
+    for (const assets::MoverStart& start : place.movers)
+        start_mover(world, spawned.nodes.at(start.node), start, place.mover_reach_m);
     settle(world);
     settle_deformations(world);
     return spawned;

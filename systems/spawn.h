@@ -39,8 +39,8 @@ SpawnedScene spawn(ecs::World& world, const assets::Scene& scene, const WorldPos
 ecs::Entity spawn_prototype(ecs::World& world, const assets::Scene& scene, std::uint32_t node,
                             const WorldPosition& origin, Mobility mobility = Mobility::fixed);
 
-/// Spawns a generated place: its scene, its light as the Sunlight resource, its paths and its actors. Parts
-/// of walkers are known by their nodes' names: leg_l, leg_r, shin_l, shin_r, arm_l, arm_r, forearm_l,
+/// Spawns a generated place: its scene, its light as the Sunlight resource, its paths, actors and movers.
+/// Parts of walkers are known by their nodes' names: leg_l, leg_r, shin_l, shin_r, arm_l, arm_r, forearm_l,
 /// forearm_r, torso, head; wheels of cars begin with wheel_. Models face −Z and stand on y = 0.
 /// @param seed  of all that its actors will choose
 SpawnedScene spawn(ecs::World& world, const assets::Place& place, const WorldPosition& origin,

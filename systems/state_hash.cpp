@@ -45,6 +45,7 @@ public:
     }
     void add(const AnimationPlayer& p) { add(p.playing), add(p.fading), add(p.fade_s), add(p.fade_left_s); }
     void add(const MorphWeight& w) { add(w.value), add(w.previous); }
+    void add(const Mover& m) { add(m.heading_rad), add(m.speed_m_s), add(m.reach_m); }
     void add(const Gait& g) { add(g.leg_length_m), add(g.phase), add(g.reach); }
 
     [[nodiscard]] std::uint64_t value() const { return mixed(value_); }
@@ -79,6 +80,7 @@ std::uint64_t state_hash(const ecs::World& world) {
     add_column<WorldTransform>(world, hash);
     add_column<PreviousWorldTransform>(world, hash);
     add_column<PathFollower>(world, hash);
+    add_column<Mover>(world, hash);
     add_column<Gait>(world, hash);
     add_column<AnimationPlayer>(world, hash);
     add_column<MorphWeight>(world, hash);

@@ -60,8 +60,10 @@ std::vector<FacadeLight> build_row_house(Builder& b, float width, const FacadeSt
             width < 9.5f ? 3 : (width < 13.0f ? (draws.chance(0.5f) ? 3 : 4) : (draws.chance(0.6f) ? 4 : 5));
         lights = build_facade(b, {.width_m = width, .bays = bays}, style, draws);
     }
-    for (FacadeLight& light : lights)
+    for (FacadeLight& light : lights) {
         light.position_m.x -= half;
+        light.window_m.x -= half;
+    }
 
     const float back = -k_house_depth_m;
     build_plain_wall(b, {half, back}, {-half, back}, roof + 0.3f);
@@ -121,7 +123,8 @@ std::vector<FacadeLight> build_corner_house(Builder& b, const FacadeStyle& style
         const InFrame scope{b, sides[i].frame};
         b.group = outer_group + static_cast<std::uint32_t>(i);
         for (const FacadeLight& light : build_facade(b, sides[i].site, style, draws))
-            lights.push_back({sides[i].frame.point(light.position_m), light.spot});
+            lights.push_back({sides[i].frame.point(light.position_m), light.spot,
+                              sides[i].frame.point(light.window_m), light.window_shines});
     }
     b.group = outer_group;
 

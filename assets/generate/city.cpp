@@ -26,6 +26,10 @@ constexpr std::uint32_t k_people = 12;
 /// cosine-weighted light, a crossing about 0.5, the upper storeys nearly all of their half: between them.
 constexpr float k_sky_between_houses = 0.4f;
 
+/// What lamps send up from pavements and walls, as ground_radiance: on average a lamp lights the ground
+/// around it with an illuminance of 0.08, of which asphalt, paving and plaster return a third.
+constexpr glm::vec3 k_lamps_off_ground = (0.08f / 3.0f / 3.14159265f) * k_light_2700k;
+
 /// Widths of the houses between two corner houses; each row fills block − 2 · (chamfer + corner side) = 36 m.
 constexpr std::array<std::array<float, 4>, 9> k_rows_m{{{12.0f, 12.0f, 12.0f, 0.0f},
                                                         {10.0f, 14.0f, 12.0f, 0.0f},
@@ -52,13 +56,15 @@ enum Part : std::uint64_t {
 
 class CityBuilder {
 public:
-    CityBuilder(const CityParameters& parameters, std::uint64_t seed)
+    CityBuilder(const CityParameters& parameters, std::uint64_t seed, TimeOfDay time)
         : parameters_{parameters},
           seed_{seed},
+          time_{time},
+          evening_{evening_at(time)},
           plan_{plan_of(parameters)},
-          palette_{add_palette(place_.scene, key_of(seed, k_palette))},
-          houses_{place_.scene, palette_, key_of(seed, k_houses)},
-          things_{place_.scene, palette_, plan_.street, key_of(seed, k_things)} {}
+          palette_{add_palette(place_.scene, evening_, key_of(seed, k_palette))},
+          houses_{place_.scene, palette_, evening_, key_of(seed, k_houses)},
+          things_{place_.scene, palette_, plan_.street, evening_, key_of(seed, k_things)} {}
 
     Place build() {
         place_.scene.name = "city";
@@ -70,17 +76,24 @@ public:
                                crossing.street_along_z ? 0.0f : k_quarter_rad));
         add_cars();
         add_actors();
-        place_.environment = noon();
-        place_.environment.sky_visibility = k_sky_between_houses;
-        // High enough that the street's east side leaves some sun on the pavement across, low enough that
-        // cornices and balconies draw slanted shadows on the west side's façades.
-        place_.environment.direction_to_sun = glm::normalize(glm::vec3{0.39f, 0.86f, 0.33f});
+        place_.environment = light();
+        place_.exposure_ev = daylight_exposure_ev(time_);
         place_.walk = plan_walk(plan_);
         place_.walk_fov_rad = 0.96f;
         return std::move(place_);
     }
 
 private:
+    [[nodiscard]] Environment light() const {
+        Environment light = daylight(time_);
+        light.sky_visibility = k_sky_between_houses;
+        light.ground_radiance += evening_.lamps * k_lamps_off_ground;
+        // High enough that the street's east side leaves some sun on the pavement across, low enough that
+        // cornices and balconies draw slanted shadows on the west side's façades.
+        if (!time_.solar_minutes) light.direction_to_sun = glm::normalize(glm::vec3{0.39f, 0.86f, 0.33f});
+        return light;
+    }
+
     std::uint32_t add_root(const std::string& name, std::uint32_t model, const Frame& at) {
         const std::uint32_t node = add_node(place_.scene, name, k_none, transform_of(at));
         place_.scene.nodes[node].model = model;
@@ -263,6 +276,8 @@ private:
 
     CityParameters parameters_;
     std::uint64_t seed_;
+    TimeOfDay time_;
+    Evening evening_;
     CityPlan plan_;
     Place place_;
     Palette palette_;
@@ -273,13 +288,13 @@ private:
 
 }  // namespace
 
-Place generate_city(const CityParameters& parameters, std::uint64_t seed) {
+Place generate_city(const CityParameters& parameters, std::uint64_t seed, TimeOfDay time) {
     for (const Parameter<CityParameters>& parameter : k_city_parameters) {
         const double value = parameter.get(parameters);
         if (!(value >= parameter.minimum && value <= parameter.maximum))
             throw std::invalid_argument("city: " + std::string{parameter.name} + " is out of range");
     }
-    return CityBuilder{parameters, seed}.build();
+    return CityBuilder{parameters, seed, time}.build();
 }
 
 }  // namespace rambla::assets

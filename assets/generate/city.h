@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "assets/daylight.h"
 #include "assets/parameter.h"
 #include "assets/place.h"
 
@@ -25,7 +26,8 @@ inline constexpr std::array k_city_parameters{
     parameter<&CityParameters::cars>("cars", "", 0, 10000, "Cars on the lanes."),
 };
 
-/// Generates the city with its paths, actors and the standard walk; the same seed gives the same bytes.
-[[nodiscard]] Place generate_city(const CityParameters& parameters, std::uint64_t seed);
+/// Generates the city with its paths, actors and the standard walk; the same seed and time give the same
+/// bytes. The time decides what shines; what stands where does not depend on it.
+[[nodiscard]] Place generate_city(const CityParameters& parameters, std::uint64_t seed, TimeOfDay time = {});
 
 }  // namespace rambla::assets

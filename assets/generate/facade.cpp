@@ -173,15 +173,16 @@ std::vector<FacadeLight> build_ground_floor(Builder& b, const FacadeSite& site, 
         if (i == door_bay)
             build_door(b, opening);
         else
-            lights.push_back(build_shop_front(b, opening, draws));
+            lights.push_back(build_shop_front(b, opening, style.evening, draws));
     }
     return lights;
 }
 
 }  // namespace
 
-FacadeStyle draw_style(Draws& draws, int upper_storeys) {
+FacadeStyle draw_style(Draws& draws, int upper_storeys, const Evening& evening) {
     FacadeStyle style;
+    style.evening = evening;
     style.upper_storeys = upper_storeys;
     style.ground_height_m = draws.between(3.9f, 4.4f);
     style.storey_height_m = draws.between(3.05f, 3.35f);

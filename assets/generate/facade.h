@@ -6,6 +6,7 @@
 
 #include "assets/generate/builder.h"
 #include "assets/generate/draws.h"
+#include "assets/generate/evening.h"
 
 namespace rambla::assets::generate {
 
@@ -25,19 +26,22 @@ struct FacadeStyle {
     bool dentils = true;
     bool brick = false;
     bool upper_course = false;
+    Evening evening;
 
     [[nodiscard]] float roof_height_m() const {
         return ground_height_m + storey_height_m * static_cast<float>(upper_storeys);
     }
 };
 
-/// A style from the seeded family.
-[[nodiscard]] FacadeStyle draw_style(Draws& draws, int upper_storeys);
+/// A style from the seeded family. What it looks like does not depend on the evening, only which panes shine.
+[[nodiscard]] FacadeStyle draw_style(Draws& draws, int upper_storeys, const Evening& evening);
 
 /// A light that belongs to a façade, in the builder's outermost frame.
 struct FacadeLight {
     glm::vec3 position_m{0.0f};
-    bool spot = false;  ///< shines downwards
+    bool spot = false;          ///< shines downwards
+    glm::vec3 window_m{0.0f};   ///< before the middle of its shop's window
+    bool window_shines = true;  ///< onto the pavement, at night
 };
 
 /// One façade of a building: from x = 0 to width in the builder's frame, pavement at y = 0, wall at z = 0.
@@ -78,6 +82,7 @@ void build_balcony(Builder& builder, float x0, float x1, float y, Draws& draws);
 /// Door leaf with transom in an opening of the ground floor.
 void build_door(Builder& builder, const Opening& opening);
 /// Glazed shop front with sign and perhaps an awning; returns its light, in the builder's frame.
-[[nodiscard]] FacadeLight build_shop_front(Builder& builder, const Opening& opening, Draws& draws);
+[[nodiscard]] FacadeLight build_shop_front(Builder& builder, const Opening& opening, const Evening& evening,
+                                           Draws& draws);
 
 }  // namespace rambla::assets::generate

@@ -23,7 +23,7 @@ void build_lantern(Builder& b, glm::vec3 foot) {
         const auto at = [&](glm::vec2 c, float r, float y) {
             return foot + glm::vec3{c.x * r, y, c.y * r};
         };
-        b.face(Surface::lantern, at(p, k_low, 0.0f), at(q, k_low, 0.0f), at(q, k_high, k_tall),
+        b.face(Surface::street_lantern, at(p, k_low, 0.0f), at(q, k_low, 0.0f), at(q, k_high, k_tall),
                at(p, k_high, k_tall));
         b.face(Surface::iron, at(p, 0.20f, k_tall), at(q, 0.20f, k_tall), at(q, 0.06f, k_tall + 0.16f),
                at(p, 0.06f, k_tall + 0.16f));

@@ -15,4 +15,8 @@ void build_wall_lantern(Builder& builder);
 
 inline constexpr float k_lamp_height_m = 3.75f;
 
+/// Where the light of a lamp post and of a wall lantern comes from: the middle of the lantern's glass.
+inline constexpr glm::vec3 k_post_flame_m{0.0f, k_lamp_height_m - 0.16f, 0.0f};
+inline constexpr glm::vec3 k_wall_flame_m{0.0f, 0.26f, 0.50f};
+
 }  // namespace rambla::assets::generate

@@ -16,24 +16,11 @@ constexpr std::size_t k_variants = 6;
 constexpr std::size_t k_corner_variants = 6;
 constexpr std::size_t k_plaster_schemes = 14;
 constexpr std::size_t k_brick_schemes = 2;
-constexpr float k_lit_shop_share = 0.33f;
+constexpr glm::vec3 k_shop_light{1.0f, 0.80f, 0.55f};
 
 /// Three to six upper storeys, each height among every width's variants.
 int storeys_of(std::size_t variant) {
     return 3 + static_cast<int>(variant % 4);
-}
-
-std::uint32_t add_light(Scene& scene, const char* name, LightKind kind, float intensity, float range) {
-    Light light;
-    light.name = name;
-    light.kind = kind;
-    light.colour = {1.0f, 0.80f, 0.55f};
-    light.intensity = intensity;
-    light.range_m = range;
-    light.inner_cone_rad = 0.5f;
-    light.outer_cone_rad = 1.0f;
-    scene.lights.push_back(light);
-    return static_cast<std::uint32_t>(scene.lights.size() - 1);
 }
 
 }  // namespace
@@ -46,7 +33,8 @@ Transform transform_of(const Frame& frame) {
     return transform;
 }
 
-Houses::Houses(Scene& scene, const Palette& palette, std::uint64_t seed) : scene_{scene} {
+Houses::Houses(Scene& scene, const Palette& palette, const Evening& evening, std::uint64_t seed)
+    : scene_{scene}, lamp_share_{evening.lamps_at_shops} {
     struct Built {
         std::vector<Builder::Part> parts;
         std::vector<FacadeLight> lights;
@@ -59,11 +47,11 @@ Houses::Houses(Scene& scene, const Palette& palette, std::uint64_t seed) : scene
         Builder builder;
         Built& house = built[i];
         if (i < k_rows) {
-            house.style = draw_style(draws, storeys_of(i % k_variants));
+            house.style = draw_style(draws, storeys_of(i % k_variants), evening);
             house.lights = build_row_house(builder, k_widths_m[i / k_variants], house.style, draws);
             house.parts = builder.take("house-" + std::to_string(i));
         } else {
-            house.style = draw_style(draws, 3 + static_cast<int>(i % 3));
+            house.style = draw_style(draws, 3 + static_cast<int>(i % 3), evening);
             house.lights = build_corner_house(builder, house.style, draws);
             house.parts = builder.take("corner-" + std::to_string(i - k_rows));
         }
@@ -79,8 +67,11 @@ Houses::Houses(Scene& scene, const Palette& palette, std::uint64_t seed) : scene
         plaster_schemes_.push_back(building_scheme(palette, draws, false));
     for (std::size_t i = 0; i < k_brick_schemes; ++i)
         brick_schemes_.push_back(building_scheme(palette, draws, true));
-    lamp_ = add_light(scene_, "shop-lamp", LightKind::point, 1.6f, 4.5f);
-    spot_ = add_light(scene_, "shop-spot", LightKind::spot, 4.0f, 6.0f);
+    lamp_ = add_lamp(scene_, "shop-lamp", LightKind::point, k_shop_light, 1.6f, 4.5f);
+    spot_ = add_lamp(scene_, "shop-spot", LightKind::spot, k_shop_light, 4.0f, 6.0f);
+    if (evening.lamps > 0.0f)
+        window_ =
+            add_lamp(scene_, "shop-window", LightKind::point, k_shop_light, 0.45f * evening.lamps, 4.0f);
 }
 
 void Houses::add_row_house(float width, const Frame& at, int most_storeys, Draws& draws) {
@@ -108,14 +99,18 @@ void Houses::add(const std::vector<House>& houses, int most_storeys, const char*
     const std::uint32_t node = add_node(scene_, name, k_none, transform_of(at));
     scene_.nodes[node].model = model->second;
     scene_.roots.push_back(node);
-    for (const FacadeLight& light : house.lights) {
-        if (!draws.chance(k_lit_shop_share)) continue;
+    const auto shine = [&](const char* what, std::uint32_t light, glm::vec3 at_m, bool down) {
         Transform local;
-        local.translation_m = light.position_m;
+        local.translation_m = at_m;
         // Lights shine along −z; a quarter turn about x points that down.
-        if (light.spot) local.rotation = {std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f};
-        scene_.nodes[add_node(scene_, light.spot ? "shop-spot" : "shop-lamp", node, local)].light =
-            light.spot ? spot_ : lamp_;
+        if (down) local.rotation = {std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f};
+        scene_.nodes[add_node(scene_, what, node, local)].light = light;
+    };
+    for (const FacadeLight& light : house.lights) {
+        if (window_ != k_none && light.window_shines) shine("shop-window", window_, light.window_m, false);
+        if (!draws.chance(lamp_share_)) continue;
+        shine(light.spot ? "shop-spot" : "shop-lamp", light.spot ? spot_ : lamp_, light.position_m,
+              light.spot);
     }
 }
 

@@ -15,7 +15,7 @@ public:
     /// Widths of houses between party walls, in metres.
     static constexpr std::array<float, 5> k_widths_m{8.0f, 9.0f, 10.0f, 12.0f, 14.0f};
 
-    Houses(Scene& scene, const Palette& palette, std::uint64_t seed);
+    Houses(Scene& scene, const Palette& palette, const Evening& evening, std::uint64_t seed);
 
     /// Adds a house of this width to the scene as a root, its façade's middle at the frame's origin, facing
     /// its z.
@@ -34,12 +34,14 @@ private:
              Draws& draws);
 
     Scene& scene_;
+    float lamp_share_;                            ///< of shops, a lamp burns outside
     std::vector<std::vector<House>> row_houses_;  ///< by width
     std::vector<House> corner_houses_;
     std::vector<Scheme> plaster_schemes_, brick_schemes_;
     std::map<std::pair<const House*, std::size_t>, std::uint32_t> models_;  ///< (house, scheme)
     std::uint32_t lamp_ = k_none;
     std::uint32_t spot_ = k_none;
+    std::uint32_t window_ = k_none;  ///< of a shop's bright window; k_none by day
 };
 
 /// The rotation and place of a level frame as a node's transform.

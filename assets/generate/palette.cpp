@@ -117,7 +117,10 @@ void make_ground(Maker& make, Scheme& to) {
     set(Surface::soil, make.plain("soil", srgb(0.33f, 0.26f, 0.20f), 0.95f));
 }
 
-void make_things(Maker& make, Scheme& to) {
+/// What shines by night is a tenth of noon's sunlit white, and less: beside lamps of that order, see
+/// daylight(), it is as bright as in photographs. By day the same things outshine nature, or nobody would see
+/// that they are on.
+void make_things(Maker& make, const Evening& evening, Scheme& to) {
     const glm::vec4 white{1.0f};
     const auto set = [&](Surface surface, std::uint32_t material) {
         to[static_cast<std::size_t>(surface)] = material;
@@ -126,22 +129,29 @@ void make_things(Maker& make, Scheme& to) {
     set(Surface::bark, make.textured("bark", Pattern::bark, white, 0.9f));
     set(Surface::iron, make.plain("iron", srgb(0.17f, 0.17f, 0.17f), 0.5f));
     set(Surface::railing, make.cut_out(make.textured("railing", Pattern::railing, white, 0.55f), 0.25f));
-    set(Surface::lantern,
-        make.emitting(make.plain("lantern", srgb(0.92f, 0.88f, 0.78f), 0.3f), {0.55f, 0.44f, 0.27f}));
+    set(Surface::lantern, make.emitting(make.plain("lantern", srgb(0.92f, 0.88f, 0.78f), 0.3f),
+                                        evening.between({0.55f, 0.44f, 0.27f}, {0.60f, 0.42f, 0.22f})));
+    set(Surface::street_lantern, make.emitting(make.plain("street-lantern", srgb(0.92f, 0.88f, 0.78f), 0.3f),
+                                               evening.between(glm::vec3{0.0f}, 0.8f * k_light_2700k)));
     set(Surface::timber, make.textured("timber", Pattern::timber, srgb(0.62f, 0.43f, 0.28f), 0.6f));
     set(Surface::sign, make.textured("signs", Pattern::signs, white, 0.45f));
     set(Surface::pane, make.textured("glass", Pattern::window, white, 0.05f));
-    set(Surface::pane_lit,
-        make.emitting(make.textured("glass-lit", Pattern::window_lit, white, 0.05f), {0.95f, 0.80f, 0.60f}));
-    set(Surface::shop_pane,
-        make.emitting(make.textured("glass-shop", Pattern::shop, white, 0.05f), {0.42f, 0.38f, 0.32f}));
+    set(Surface::pane_lit, make.emitting(make.textured("glass-lit", Pattern::window_lit, white, 0.05f),
+                                         evening.between({0.95f, 0.80f, 0.60f}, {0.24f, 0.19f, 0.13f})));
+    set(Surface::pane_blue, make.emitting(make.textured("glass-blue", Pattern::window_lit, white, 0.05f),
+                                          evening.between(glm::vec3{0.0f}, {0.030f, 0.060f, 0.17f})));
+    set(Surface::shop_pane, make.emitting(make.textured("glass-shop", Pattern::shop, white, 0.05f),
+                                          evening.between({0.42f, 0.38f, 0.32f}, {0.26f, 0.21f, 0.14f})));
+    set(Surface::shop_pane_dark,
+        make.emitting(make.textured("glass-shop-closed", Pattern::shop, white, 0.05f),
+                      evening.between({0.42f, 0.38f, 0.32f}, {0.012f, 0.012f, 0.012f})));
     set(Surface::roof, make.textured("roof-tiles", Pattern::gravel, white, 0.9f));
     set(Surface::plain, make.textured("party-wall", Pattern::plaster, srgb(0.78f, 0.72f, 0.64f), 0.95f));
     set(Surface::car_glass, make.plain("car-glass", srgb(0.10f, 0.12f, 0.13f), 0.05f));
     set(Surface::rubber, make.plain("rubber", srgb(0.13f, 0.13f, 0.13f), 0.8f));
     set(Surface::metal, make.plain("metal", srgb(0.78f, 0.78f, 0.80f), 0.3f, 1.0f));
-    set(Surface::head_lamp,
-        make.emitting(make.plain("head-lamp", srgb(0.90f, 0.92f, 0.95f), 0.1f), glm::vec3{0.25f}));
+    set(Surface::head_lamp, make.emitting(make.plain("head-lamp", srgb(0.90f, 0.92f, 0.95f), 0.1f),
+                                          evening.between(glm::vec3{0.25f}, glm::vec3{0.01f})));
     set(Surface::tail_lamp, make.plain("tail-lamp", srgb(0.62f, 0.07f, 0.06f), 0.15f));
     set(Surface::cloth, make.textured("cloth", Pattern::cloth, white, 0.85f));
     set(Surface::skin, make.plain("skin", white, 0.55f));
@@ -197,11 +207,11 @@ void make_buildings(Maker& make, Palette& palette) {
 
 }  // namespace
 
-Palette add_palette(Scene& scene, std::uint64_t seed) {
+Palette add_palette(Scene& scene, const Evening& evening, std::uint64_t seed) {
     Palette palette;
     Maker make{scene, seed};
     make_ground(make, palette.standard);
-    make_things(make, palette.standard);
+    make_things(make, evening, palette.standard);
     make_buildings(make, palette);
     const auto set = [&](Surface surface, std::uint32_t material) {
         palette.standard[static_cast<std::size_t>(surface)] = material;

@@ -5,6 +5,7 @@
 
 #include "assets/generate/builder.h"
 #include "assets/generate/draws.h"
+#include "assets/generate/evening.h"
 
 namespace rambla::assets::generate {
 
@@ -26,8 +27,8 @@ struct Palette {
     std::array<std::uint32_t, 5> bodies{};  ///< car paint
 };
 
-/// Adds textures and materials to the scene.
-[[nodiscard]] Palette add_palette(Scene& scene, std::uint64_t seed);
+/// Adds textures and materials to the scene; what shines does so as it should at that time.
+[[nodiscard]] Palette add_palette(Scene& scene, const Evening& evening, std::uint64_t seed);
 
 /// Colours for one building.
 /// @param brick  walls of brick instead of plaster

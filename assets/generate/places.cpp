@@ -1,16 +1,34 @@
 #include "assets/generate/places.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "assets/generate/agents.h"
+#include "assets/generate/blocks.h"
 #include "assets/generate/city.h"
 
 namespace rambla::assets {
 
 namespace {
+
+/// A scene of which there is only one.
+struct FixedScene {
+    std::string_view name;
+    Place (*generate)();
+};
+constexpr std::array<FixedScene, 2> k_fixed_scenes{
+    {{"blocks", generate_blocks}, {"agents", generate_agents}}};
+
+std::string fixed_names() {
+    std::string names;
+    for (const FixedScene& scene : k_fixed_scenes)
+        names += ", " + std::string{scene.name};
+    return names;
+}
 
 [[noreturn]] void refuse(std::string_view spec, std::string_view part, const std::string& expected) {
     throw std::invalid_argument("scene \"" + std::string{spec} + "\": \"" + std::string{part} +
@@ -76,14 +94,22 @@ CityParameters parse_city(std::string_view spec, std::string_view list) {
 
 }  // namespace
 
-Place generate_place(std::string_view spec, std::uint64_t seed) {
+Place generate_place(std::string_view spec, std::uint64_t seed, TimeOfDay time) {
     const std::string_view name = spec.substr(0, spec.find(':'));
-    if (name != "city" && name != "street") refuse(spec, name, "unknown scene; known: city, street");
+    const auto fixed = std::find_if(k_fixed_scenes.begin(), k_fixed_scenes.end(),
+                                    [&](const FixedScene& scene) { return scene.name == name; });
+    if (fixed == k_fixed_scenes.end() && name != "city" && name != "street")
+        refuse(spec, name, "unknown scene; known: city, street" + fixed_names());
     const bool parameters = name.size() < spec.size();
+    if (fixed != k_fixed_scenes.end()) {
+        if (parameters) refuse(spec, spec.substr(name.size()), "this scene has no parameters");
+        if (time != TimeOfDay{}) refuse(spec, to_text(time), "the light of this scene has no time of day");
+        return fixed->generate();
+    }
     if (parameters && name.size() + 1 == spec.size())
         refuse(spec, spec, "expected parameters after the colon");
     return generate_city(parse_city(spec, parameters ? spec.substr(name.size() + 1) : std::string_view{}),
-                         seed);
+                         seed, time);
 }
 
 }  // namespace rambla::assets

@@ -65,14 +65,17 @@ void build_door(Builder& b, const Opening& o) {
           k_all_sides & ~k_side_back);
 }
 
-FacadeLight build_shop_front(Builder& b, const Opening& o, Draws& draws) {
+FacadeLight build_shop_front(Builder& b, const Opening& o, const Evening& evening, Draws& draws) {
     constexpr float k_riser = 0.48f;
     constexpr float k_bar = 0.07f;
     const float z = -k_reveal_m;
     const float front = z + 0.06f;
     const std::uint32_t no_back = k_all_sides & ~k_side_back;
     const float door_width = 0.95f;
-    const bool door_left = draws.chance(0.5f);
+    const float side = draws.unit();
+    const bool door_left = side < 0.5f;
+    // What the halving leaves of the draw says how late the shop closes.
+    const bool bright = glm::fract(2.0f * side) < evening.bright_shops;
     const float split = door_left ? o.min.x + door_width : o.max.x - door_width;
     const float window_x0 = door_left ? split : o.min.x;
     const float window_x1 = door_left ? o.max.x : split;
@@ -82,8 +85,8 @@ FacadeLight build_shop_front(Builder& b, const Opening& o, Draws& draws) {
     const std::uint32_t cell = k_goods[trade];
     const float u0 = (static_cast<float>(cell) + 0.01f) / static_cast<float>(k_shop_cells);
     const float u1 = (static_cast<float>(cell) + 0.99f) / static_cast<float>(k_shop_cells);
-    b.picture(Surface::shop_pane, {o.min.x, 0.0f, z}, {o.max.x, 0.0f, z}, {o.max.x, o.max.y, z},
-              {o.min.x, o.max.y, z}, {u0, 0.99f}, {u1, 0.01f});
+    b.picture(bright ? Surface::shop_pane : Surface::shop_pane_dark, {o.min.x, 0.0f, z}, {o.max.x, 0.0f, z},
+              {o.max.x, o.max.y, z}, {o.min.x, o.max.y, z}, {u0, 0.99f}, {u1, 0.01f});
     for (const float x : {o.min.x, split - 0.5f * k_bar, o.max.x - k_bar})
         b.box(Surface::shop_frame, {x, 0.0f, z}, {x + k_bar, o.max.y, front + 0.02f}, no_back);
     for (const float y : {o.max.y - 0.55f, o.max.y - 0.08f})
@@ -97,14 +100,15 @@ FacadeLight build_shop_front(Builder& b, const Opening& o, Draws& draws) {
     const bool awning = draws.chance(0.45f);
     if (awning) build_awning(b, o);
     const float centre = 0.5f * (o.min.x + o.max.x);
-    if (awning) return {{centre, o.max.y - 0.35f, 0.45f}, false};
+    const glm::vec3 before_window{centre, 1.5f, 0.45f};
+    if (awning) return {{centre, o.max.y - 0.35f, 0.45f}, false, before_window, bright};
     // A lamp on an arm over the entrance.
     b.box(Surface::iron, {centre - 0.02f, o.max.y + 0.72f, 0.0f}, {centre + 0.02f, o.max.y + 0.76f, 0.50f},
           no_back);
     b.box(Surface::iron, {centre - 0.09f, o.max.y + 0.66f, 0.38f}, {centre + 0.09f, o.max.y + 0.72f, 0.60f});
     b.box(Surface::lantern, {centre - 0.07f, o.max.y + 0.62f, 0.41f},
           {centre + 0.07f, o.max.y + 0.66f, 0.57f}, k_all_sides & ~k_side_top);
-    return {{centre, o.max.y + 0.56f, 0.49f}, true};
+    return {{centre, o.max.y + 0.56f, 0.49f}, true, before_window, bright};
 }
 
 }  // namespace rambla::assets::generate

@@ -53,7 +53,8 @@ constexpr float k_tree_pavement_m = 2.0f;
 
 }  // namespace
 
-StreetThings::StreetThings(Scene& scene, const Palette& palette, const StreetPlan& plan, std::uint64_t seed)
+StreetThings::StreetThings(Scene& scene, const Palette& palette, const StreetPlan& plan,
+                           const Evening& evening, std::uint64_t seed)
     : scene_{scene}, plan_{plan} {
     std::array<std::vector<Builder::Part>, k_things> built;
     tbb::parallel_for(std::size_t{0}, k_things, [&](std::size_t i) {
@@ -63,6 +64,10 @@ StreetThings::StreetThings(Scene& scene, const Palette& palette, const StreetPla
     });
     for (std::size_t i = 0; i < k_things; ++i)
         models_[i] = add_model(scene_, k_names[i], store(scene_, std::move(built[i])), palette.standard);
+    if (evening.lamps == 0.0f) return;
+    post_light_ =
+        add_lamp(scene_, "street-lamp", LightKind::point, k_light_2700k, 5.0f * evening.lamps, 13.0f);
+    wall_light_ = add_lamp(scene_, "wall-lamp", LightKind::point, k_light_3000k, 3.0f * evening.lamps, 10.0f);
 }
 
 void StreetThings::add(Thing thing, const Frame& at) {
@@ -70,6 +75,11 @@ void StreetThings::add(Thing thing, const Frame& at) {
     const std::uint32_t node = add_node(scene_, k_names[index], k_none, transform_of(at));
     scene_.nodes[node].model = models_[index];
     scene_.roots.push_back(node);
+    if (post_light_ == k_none || (thing != Thing::lamp_post && thing != Thing::wall_lantern)) return;
+    Transform flame;
+    flame.translation_m = thing == Thing::lamp_post ? k_post_flame_m : k_wall_flame_m;
+    scene_.nodes[add_node(scene_, "light", node, flame)].light =
+        thing == Thing::lamp_post ? post_light_ : wall_light_;
 }
 
 void StreetThings::furnish_side(const Frame& at, float length, bool trees, Draws& draws) {

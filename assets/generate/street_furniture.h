@@ -11,7 +11,8 @@ namespace rambla::assets::generate {
 /// Everything that stands along kerbs, built once and placed as nodes.
 class StreetThings {
 public:
-    StreetThings(Scene& scene, const Palette& palette, const StreetPlan& plan, std::uint64_t seed);
+    StreetThings(Scene& scene, const Palette& palette, const StreetPlan& plan, const Evening& evening,
+                 std::uint64_t seed);
 
     enum class Thing : std::uint8_t {
         tree_a,
@@ -29,7 +30,8 @@ public:
     };
     static constexpr std::size_t k_things = static_cast<std::size_t>(Thing::crossing) + 1;
 
-    /// Adds one as a root of the scene, its foot at the frame's origin.
+    /// Adds one as a root of the scene, its foot at the frame's origin; a lantern with its light, if that
+    /// burns.
     void add(Thing thing, const Frame& at);
     /// Furnishes one side of a block: the frame stands on the pavement at the middle of the side's façade
     /// line, its z towards the street. Sides with trees have benches and bins, the others lamp posts.
@@ -41,6 +43,8 @@ private:
     Scene& scene_;
     StreetPlan plan_;
     std::array<std::uint32_t, k_things> models_{};
+    std::uint32_t post_light_ = k_none;  ///< k_none by day
+    std::uint32_t wall_light_ = k_none;
 };
 
 }  // namespace rambla::assets::generate

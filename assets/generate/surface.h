@@ -27,7 +27,7 @@ enum class Surface : std::uint8_t {
     sign,
     foliage,
     bark,
-    lantern,
+    lantern,  ///< of lamps at shops
     asphalt,
     gutter,
     kerb,
@@ -43,12 +43,16 @@ enum class Surface : std::uint8_t {
     tail_lamp,
     cloth,
     skin,
+    pane_blue,       ///< lit by a television
+    shop_pane_dark,  ///< of a shop that has closed
+    street_lantern,
 };
-inline constexpr std::size_t k_surface_count = static_cast<std::size_t>(Surface::skin) + 1;
+inline constexpr std::size_t k_surface_count = static_cast<std::size_t>(Surface::street_lantern) + 1;
 
 /// Window panes: planar mirrors need those of each façade apart.
 [[nodiscard]] constexpr bool is_pane(Surface surface) {
-    return surface == Surface::pane || surface == Surface::pane_lit || surface == Surface::shop_pane;
+    return surface == Surface::pane || surface == Surface::pane_lit || surface == Surface::pane_blue ||
+           surface == Surface::shop_pane || surface == Surface::shop_pane_dark;
 }
 
 /// Edge of the square that one repeat of the surface's textures covers, in metres.

@@ -8,7 +8,14 @@ namespace rambla::assets::generate {
 
 namespace {
 
-constexpr float k_lit_share = 1.0f / 7.0f;
+/// Windows in front of which nobody ever draws shutters: by day these are the lit ones.
+constexpr float k_open_share = 1.0f / 7.0f;
+
+/// What shines behind a window. @param place  in [0, 1), of its people in the order in which they go to bed
+Surface pane_of(const Evening& evening, float place) {
+    if (place < evening.warm_windows) return Surface::pane_lit;
+    return place >= 1.0f - evening.blue_windows ? Surface::pane_blue : Surface::pane;
+}
 
 /// A pane that shows one cell of its picture; insets keep the neighbours out of the filter.
 void build_pane(Builder& b, Surface surface, const Opening& o, std::uint32_t cell, std::uint32_t cells) {
@@ -61,12 +68,12 @@ void build_leaf(Builder& b, glm::vec3 hinge, float width, float height, float op
 }  // namespace
 
 void build_window(Builder& b, const Opening& o, const FacadeStyle& style, Draws& draws) {
-    const bool lit = draws.chance(k_lit_share);
-    build_pane(b, lit ? Surface::pane_lit : Surface::pane, o, draws.below(k_window_cells), k_window_cells);
+    const float place = draws.unit();
+    build_pane(b, pane_of(style.evening, place), o, draws.below(k_window_cells), k_window_cells);
     build_casement(b, o);
     const float mood = draws.unit();
     const float slack = draws.unit();
-    if (!style.shutters || lit) return;
+    if (!style.shutters || place < k_open_share) return;
     if (mood < 0.25f) return;  // no shutters drawn out
     const float half = 0.5f * (o.max.x - o.min.x);
     const float height = o.max.y - o.min.y - 0.04f;

@@ -30,6 +30,7 @@ nlohmann::json final_state(const PlayCommand& command, const Stage& stage, const
     return {{"schema", "rambla.play/1"},
             {"scene", command.options.scene},
             {"seed", command.options.seed},
+            {"time", to_text(command.options.time)},
             {"frames", frames},
             {"steps", session.steps()},
             {"eye_m", {eye_m.x, eye_m.y, eye_m.z}},
@@ -42,7 +43,8 @@ int run(const PlayCommand& command) {
     const tbb::global_control limit = worker_limit(command.options);
     require_display();
     prepare_json(command.options.json);
-    Stage stage = make_stage(command.options.scene, command.options.seed, command.options.origin);
+    Stage stage =
+        make_stage(command.options.scene, command.options.seed, command.options.time, command.options.origin);
     PlaySession session{stage};
     spdlog::info("F1 shows the keys, Esc quits");
     const std::uint64_t frames = run_app({.title = "Rambla",
@@ -50,7 +52,7 @@ int run(const PlayCommand& command) {
                                           .walking = true,
                                           .quiet = command.options.quiet,
                                           .frames = command.frames},
-                                         stage, command.options.settings,
+                                         stage, command.options.settings_at(stage.exposure_ev),
                                          [&session](const Moment& moment) { return session.update(moment); });
     write_json(command.options.json, final_state(command, stage, session, frames));
     return k_done;
@@ -68,6 +70,7 @@ Command add_play(CLI::App& program) {
     }
     line->footer(keys);
     add_scene_options(*line, command->options);
+    add_time_option(*line, command->options);
     add_place_options(*line, command->options);
     line->add_option("--frames", command->frames, "Ends after so many pictures (default: when you quit)")
         ->type_name("N")

@@ -121,6 +121,8 @@ int run(ViewCommand& command) {
     command.wishes.origin = command.options.origin;
     command.wishes.settings = command.options.settings;
     command.wishes.own_shadows = command.shadows->count() > 0;
+    command.wishes.own_exposure = command.options.exposure_given->count() > 0;
+    command.wishes.time = command.options.time;
     if (windowed) return show_window(command);
     command.out = picture_file(command);
     return sheet ? draw_sheet(command) : draw_picture(command);
@@ -135,7 +137,7 @@ Command add_view(CLI::App& program) {
     line->footer(
         "Looks through the file's first camera, or shows everything if it has none. The light is the file's "
         "own with a\n"
-        "soft sky; a file without lights stands in the noon sun.\n"
+        "soft sky; a file without lights stands in the noon sun, or in the light of --time.\n"
         "Opens a window where there is a display, unless --headless or --out is given. In the window the "
         "left button\n"
         "turns around the model, the wheel comes nearer; F1 shows the keys. The first clip plays there, or "
@@ -170,6 +172,7 @@ Command add_view(CLI::App& program) {
         ->transform(whole_number())
         ->excludes(headless)
         ->excludes(out);
+    add_time_option(*line, options);
     add_place_options(*line, options);
     add_picture_options(*line, options);
     add_message_options(*line, options);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "game/commands/command.h"
+#include "game/compare.h"
 #include "game/exit_code.h"
 #include "game/json_output.h"
 #include "game/options.h"
@@ -24,6 +25,9 @@ struct WalkCommand {
     Options options;
     WalkRender render;
     bool no_render = false;
+    bool compare = false;
+    const CLI::Option* frames_given = nullptr;
+    const CLI::Option* size_given = nullptr;
     std::uint64_t steps = 600;
     std::string load_state;  ///< files; empty: none
     std::string save_state;
@@ -34,6 +38,7 @@ nlohmann::json common_json(const WalkCommand& command, const Stage& stage, std::
     return {{"schema", "rambla.walk/1"},
             {"scene", command.options.scene},
             {"seed", command.options.seed},
+            {"time", to_text(command.options.time)},
             {"threads", worker_count()},
             {"worker_threads", systems::worker_threads(*stage.world)},
             {"steps", steps},
@@ -68,14 +73,27 @@ int draw(WalkCommand& command, Stage& stage) {
     return grew ? k_check_failed : k_done;
 }
 
+int compare(WalkCommand& command, Stage& stage) {
+    if (command.size_given->count() == 0) command.options.size_px = k_compare_size_px;
+    const std::uint32_t frames = command.frames_given->count() > 0 ? command.render.frames : k_compare_frames;
+    const CompareMeasures measures = run_compare(stage, command.options, frames);
+    print_result(command.options.json, compare_text(measures));
+    nlohmann::json json = common_json(command, stage, frames);
+    json.update(compare_json(measures));
+    write_json(command.options.json, json);
+    return k_done;
+}
+
 int run(WalkCommand& command) {
     prepare_json(command.options.json);
     const tbb::global_control limit = worker_limit(command.options);
     const auto start = std::chrono::steady_clock::now();
-    Stage stage = make_stage(command.options.scene, command.options.seed, command.options.origin);
+    Stage stage =
+        make_stage(command.options.scene, command.options.seed, command.options.time, command.options.origin);
     command.render.generating_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return command.no_render ? simulate(command, stage) : draw(command, stage);
+    if (command.no_render) return simulate(command, stage);
+    return command.compare ? compare(command, stage) : draw(command, stage);
 }
 
 }  // namespace
@@ -96,29 +114,34 @@ Command add_walk(CLI::App& program) {
         "drawn without; then --profile-frames of it are drawn again with timers, for the table.\n"
         "Opens a window where there is a display, unless --headless.\n");
     add_scene_options(*line, options);
+    add_time_option(*line, options);
     add_place_options(*line, options);
-    line->add_option("--frames", command->render.frames, "How many pictures of the walk")
-        ->type_name("N")
-        ->transform(whole_number(1, 1'000'000))
-        ->capture_default_str();
-    line->add_option("-o,--out", command->render.folder,
-                     "Folder for the results; frames of an earlier walk there go")
-        ->type_name("DIR")
-        ->capture_default_str();
-    line->add_option("--format", command->render.format,
-                     "png shows what a screen shows; exr holds linear light as well")
-        ->type_name("png|exr")
-        ->check(CLI::IsMember({"png", "exr"}))
-        ->capture_default_str();
+    command->frames_given =
+        line->add_option("--frames", command->render.frames,
+                         fmt::format("How many pictures of the walk (--compare: {})", k_compare_frames))
+            ->type_name("N")
+            ->transform(whole_number(1, 1'000'000))
+            ->capture_default_str();
+    CLI::Option* const out = line->add_option("-o,--out", command->render.folder,
+                                              "Folder for the results; frames of an earlier walk there go")
+                                 ->type_name("DIR")
+                                 ->capture_default_str();
+    CLI::Option* const format =
+        line->add_option("--format", command->render.format,
+                         "png shows what a screen shows; exr holds linear light as well")
+            ->type_name("png|exr")
+            ->check(CLI::IsMember({"png", "exr"}))
+            ->capture_default_str();
     line->add_flag("--headless", options.headless, "Draws without a window, even where there is a display");
-    line->add_option("--profile-frames", command->render.profile_frames,
-                     "Frames drawn again with timers; 0: no table")
-        ->type_name("N")
-        ->transform(whole_number(0, 10'000))
-        ->capture_default_str();
-    line->add_option("--graph", command->render.graph,
-                     "Draws the passes of the first frame and what flows between them")
-        ->type_name("FILE.svg");
+    CLI::Option* const profile = line->add_option("--profile-frames", command->render.profile_frames,
+                                                  "Frames drawn again with timers; 0: no table")
+                                     ->type_name("N")
+                                     ->transform(whole_number(0, 10'000))
+                                     ->capture_default_str();
+    CLI::Option* const graph =
+        line->add_option("--graph", command->render.graph,
+                         "Draws the passes of the first frame and what flows between them")
+            ->type_name("FILE.svg");
     CLI::Option* const stats = line->add_flag("--stats", command->render.stats,
                                               "Prints memory and GL objects along the way; ends "
                                               "with 1 if they grow after frame 50");
@@ -131,7 +154,7 @@ Command add_walk(CLI::App& program) {
         ->needs(no_render)
         ->capture_default_str();
     line->add_option("--load-state", command->load_state,
-                     "Goes on from a saved state of the same scene, seed and origin; with --no-render")
+                     "Goes on from a saved state of the same scene, seed, time and origin; with --no-render")
         ->type_name("FILE")
         ->needs(no_render);
     line->add_option("--save-state", command->save_state,
@@ -140,6 +163,18 @@ Command add_walk(CLI::App& program) {
         ->needs(no_render);
     add_picture_options(*line, options);
     add_message_options(*line, options);
+    command->size_given = line->get_option("--size");
+    CLI::Option* const compare = line->add_flag(
+        "--compare", command->compare,
+        fmt::format(
+            "Measures as other engines are measured: no window, {}x{}, {} frames of which the first fifth is "
+            "not counted, each complete before the next begins; every effect that the comparison names is "
+            "on; "
+            "writes no pictures",
+            k_compare_size_px.x, k_compare_size_px.y, k_compare_frames));
+    for (CLI::Option* const other : {no_render, stats, out, format, profile, graph,
+                                     line->get_option("--shadows"), line->get_option("--aa")})
+        compare->excludes(other);
     return {line, [command] {
                 return run(*command);
             }};

@@ -97,6 +97,12 @@ TEST_F(CommandLineProgram, WrongUsageIsOneLine) {
     expect_refused({"walk", "--shadows", "focused:taps=5"}, "4, 16");
     expect_refused({"walk", "--tonemap", "aces:exposure=1"}, "exposure");
     expect_refused({"walk", "--scene", "moon"}, "moon");
+    expect_refused({"walk", "--time", "25:00"}, "time is '25:00', expected noon, dusk, night or HH:MM");
+    expect_refused({"play", "--time", "evening"}, "evening");
+    expect_refused({"walk", "--scene", "blocks", "--time", "dusk"}, "19:55");
+    expect_refused({"walk", "--scene", "agents:n=3"}, "no parameters");
+    expect_refused({"walk", "--compare", "--aa", "none"}, "--aa");
+    expect_refused({"walk", "--compare", "--no-render"}, "--compare");
     expect_refused({"walk", "--scene", "city:blocks=many"}, "blocks");
     expect_refused({"generate", "moon", "-o", "m.glb"}, "moon");
     expect_refused({"view"}, "file");

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "system/pictures.h"
 #include "system/program.h"
@@ -64,6 +65,23 @@ TEST_F(WalkProgram, DrawsFramesThatDifferAreNotBlackAndHoldNumbersOnly) {
     EXPECT_THAT(file_text(folder / "w/passes.txt"), testing::HasSubstr("(missing)"));
 }
 
+TEST_F(WalkProgram, NightIsDarkerThanNoonButNotBlackAndLampsShineInIt) {
+    const auto walk = [&](const char* time) {
+        const nlohmann::json result =
+            json(rambla({"walk", "--headless", "--scene", k_small_city, "--frames", "2", "--size", "160x90",
+                         "--time", time, "--profile-frames", "0", "-o", time, "--json", "-"},
+                        folder));
+        return std::pair{result, picture(folder / time / "frame_0000.png")};
+    };
+    const auto [noon, noon_picture] = walk("noon");
+    const auto [night, night_picture] = walk("night");
+    EXPECT_EQ(noon["time"], "noon");
+    EXPECT_EQ(night["time"], "22:00");
+    EXPECT_GT(night["visible_lights_most"].get<int>(), noon["visible_lights_most"].get<int>() + 10);
+    EXPECT_LT(mean_byte(night_picture), 0.8 * mean_byte(noon_picture));
+    EXPECT_GT(mean_byte(night_picture), 15.0) << "houses can be made out";
+}
+
 TEST_F(WalkProgram, FramesOfAnEarlierWalkAreGone) {
     write_file(folder / "frame_0077.png", "old");
     write_file(folder / "holiday.png", "mine");
@@ -120,6 +138,7 @@ TEST_F(WalkProgram, ASavedSimulationGoesOnAsIfItHadNotStopped) {
     const Ended other = walk({"--seed", "9", "--load-state", "half.state"});
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_THAT(other.err, testing::HasSubstr("seed 9"));
+    EXPECT_EQ(walk({"--time", "night", "--load-state", "half.state"}).exit_code, 2) << "other lamps burn";
     EXPECT_EQ(line_count(other.err), 1u);
     const std::string bytes = file_text(folder / "half.state");
     write_file(folder / "short.state", bytes.substr(0, bytes.size() / 2));

@@ -336,7 +336,7 @@ TEST(GeneratePlace, RefusesWhatItDoesNotKnowAndSaysWhatItDoes) {
         }
         return "";
     };
-    EXPECT_NE(message("village").find("known: city, street"), std::string::npos);
+    EXPECT_NE(message("village").find("known: city, street, blocks, agents"), std::string::npos);
     EXPECT_NE(message("city:towers=3").find("\"towers=3\""), std::string::npos);
     EXPECT_NE(message("city:towers=3").find("walkers"), std::string::npos);
     EXPECT_NE(message("city:blocks=4").find("blocks=4x2"), std::string::npos);

@@ -101,16 +101,23 @@ TEST(Orbit, BeginsWhereTheEyeIs) {
     EXPECT_NEAR(std::abs(glm::dot(eye.rotation, again.rotation)), 1.0f, 1e-5f);
 }
 
-TEST(ViewingLight, AFileWithoutLightsStandsInTheNoonSun) {
-    const assets::Environment light = viewing_light(scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {}));
-    EXPECT_EQ(light.sun_illuminance, assets::noon().sun_illuminance);
+TEST(ViewingLight, AFileWithoutLightsStandsInTheLightOfTheTime) {
+    const assets::Scene scene = scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {});
+    const ViewingLight noon = viewing_light(scene, {});
+    EXPECT_EQ(noon.environment.sun_illuminance, assets::noon().sun_illuminance);
+    EXPECT_EQ(noon.exposure_ev, 0.0f);
+    EXPECT_FALSE(noon.own);
+    const ViewingLight dusk = viewing_light(scene, assets::k_dusk);
+    EXPECT_EQ(dusk.environment.sun_illuminance, glm::vec3{0.0f});
+    EXPECT_EQ(dusk.environment.direction_to_sun, assets::daylight(assets::k_dusk).direction_to_sun);
+    EXPECT_EQ(dusk.exposure_ev, assets::daylight_exposure_ev(assets::k_dusk));
 }
 
 TEST(ViewingLight, APointLightMeansNoSunAndADimSky) {
     assets::Scene scene = scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {});
     scene.lights.push_back({.name = "lamp", .kind = assets::LightKind::point});
     scene.nodes[add_turned_node(scene)].light = 0;
-    const assets::Environment light = viewing_light(scene);
+    const assets::Environment light = viewing_light(scene, assets::k_dusk).environment;
     EXPECT_EQ(light.sun_illuminance, glm::vec3{0.0f});
     EXPECT_LT(light.sky_zenith_radiance.z, 0.5f * assets::noon().sky_zenith_radiance.z);
 }
@@ -122,7 +129,7 @@ TEST(ViewingLight, ADirectionalLightIsTheSun) {
                             .colour = {1.0f, 0.5f, 0.25f},
                             .intensity = 4.0f});
     scene.nodes[add_turned_node(scene)].light = 0;
-    const assets::Environment light = viewing_light(scene);
+    const assets::Environment light = viewing_light(scene, assets::k_dusk).environment;
     EXPECT_EQ(light.sun_illuminance, (glm::vec3{4.0f, 2.0f, 1.0f}));
     // It shines along −X, so the sun stands at +X.
     EXPECT_LT(glm::distance(light.direction_to_sun, glm::vec3{1.0f, 0.0f, 0.0f}), 1e-5f);

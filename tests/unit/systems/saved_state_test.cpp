@@ -57,6 +57,9 @@ TEST(SavedState, OfAnotherPlaceIsRefused) {
         EXPECT_NE(std::string{error.what()}.find("seed 3"), std::string::npos) << error.what();
         EXPECT_NE(std::string{error.what()}.find("seed 4"), std::string::npos) << error.what();
     }
+    SavedPlace later = k_city;
+    later.time = "22:00";
+    EXPECT_THROW((void)load_state(bytes, *world, later), ecs::SnapshotError) << "other lamps burn";
     ecs::World empty;
     EXPECT_THROW((void)load_state(bytes, empty, k_city), ecs::SnapshotError) << "actors without paths";
 }
