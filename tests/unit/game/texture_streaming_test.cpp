@@ -19,7 +19,7 @@ namespace {
 
 /// A stage and a thread that draws it.
 struct Walk {
-    explicit Walk(const std::string& scene) : stage{make_stage(scene, 1, {})} {
+    explicit Walk(const std::string& scene) : stage{make_stage(scene, 1, {}, {})} {
         settings.shadows.size_texels = 512;
     }
 
