@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "assets/assert.h"
+#include "render/gl/calls.h"
 #include "render/scene_materials.h"
 #include "render/scene_meshes.h"
 #include "render/scene_morphs.h"
@@ -48,6 +49,7 @@ void SceneStore::update_textures(std::span<const std::uint8_t> demand, const Tex
 
 void SceneStore::complete_textures(std::span<const std::uint8_t> demand, const TextureParameters& parameters,
                                    std::uint64_t frame) {
+    const gl::UncountedCalls waits_by_its_nature;
     TextureResidency& images = *state_->textures.images;
     images.begin_frame(frame);
     images.complete(demand, parameters, [&images] {

@@ -10,8 +10,9 @@ namespace rambla::render {
 
 namespace {
 
-/// Two of the tiles that lighting divides the screen into: a lamp reaches one of them.
-constexpr glm::uvec2 k_size_px{128, 64};
+/// Two of the tiles that lighting divides the screen into: a lamp reaches one of them. No powers of two,
+/// which llvmpipe compiles shaders of their own for.
+constexpr glm::uvec2 k_size_px{120, 56};
 constexpr float k_near_m = 0.1f;
 constexpr float k_light_distance_m = 2.0f;
 

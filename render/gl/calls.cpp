@@ -6,9 +6,12 @@ namespace rambla::render::gl {
 namespace {
 
 CallCounts g_counts;
+/// Above 0 within a call and within UncountedCalls: libepoxy asks GL for its extensions when it resolves a
+/// function.
+int g_depth = 0;
 
 void count(CallKind kind) {
-    ++g_counts.of_kind[static_cast<std::size_t>(kind)];
+    if (g_depth == 0) ++g_counts.of_kind[static_cast<std::size_t>(kind)];
 }
 
 /// A wait for a fence is none where its time is 0: then it only asks.
@@ -31,9 +34,14 @@ struct Counted<Entry, Kind> {
 
     static Result call(Arguments... arguments) {
         struct TakeBack {
-            ~TakeBack() { take(); }
-        } const take_back;
+            TakeBack() { ++g_depth; }
+            ~TakeBack() {
+                --g_depth;
+                take();
+            }
+        };
         count(kind_of_call(Kind, arguments...));
+        const TakeBack take_back;
         *Entry = real;
         return real(arguments...);
     }
@@ -75,12 +83,20 @@ void count_calls() {
              &glTextureStorage2D, &glTextureStorage3D, &glVertexArrayAttribBinding,
              &glVertexArrayAttribFormat, &glVertexArrayAttribIFormat, &glVertexArrayElementBuffer,
              &glVertexArrayVertexBuffer>();
-    take_all<CallKind::query, &glBeginConditionalRender, &glBeginQuery, &glDebugMessageCallback,
-             &glDebugMessageControl, &glDeleteSync, &glEndConditionalRender, &glEndQuery, &glFenceSync,
-             &glFlush, &glMemoryBarrier, &glObjectLabel, &glPopDebugGroup, &glPushDebugGroup,
-             &glQueryCounter>();
-    take_all<CallKind::wait, &glFinish, &glGetQueryObjectui64v>();
+    take_all<CallKind::query, &glBeginQuery, &glDebugMessageCallback, &glDebugMessageControl, &glDeleteSync,
+             &glEndConditionalRender, &glEndQuery, &glFenceSync, &glFlush, &glMemoryBarrier, &glObjectLabel,
+             &glPopDebugGroup, &glPushDebugGroup, &glQueryCounter>();
+    // Conditional rendering waits for its query: the GPU does, or the driver of a rasteriser on the CPU.
+    take_all<CallKind::wait, &glBeginConditionalRender, &glFinish, &glGetQueryObjectui64v>();
     take_all<CallKind::pace, &glClientWaitSync>();
+}
+
+UncountedCalls::UncountedCalls() {
+    ++g_depth;
+}
+
+UncountedCalls::~UncountedCalls() {
+    --g_depth;
 }
 
 CallCounts calls() {

@@ -40,6 +40,16 @@ struct CallCounts {
     }
 };
 
+/// While it lives, calls are not counted: of what waits by its nature, such as a picture for a file that
+/// waits for its textures.
+class UncountedCalls {
+public:
+    UncountedCalls();
+    ~UncountedCalls();
+    UncountedCalls(const UncountedCalls&) = delete;
+    UncountedCalls& operator=(const UncountedCalls&) = delete;
+};
+
 /// Starts to count every GL call of this process; further calls do nothing. Called in a thread with a current
 /// context before it draws.
 void count_calls();

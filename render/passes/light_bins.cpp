@@ -14,6 +14,9 @@ constexpr float k_last_slice_begin_m = 256.0f;
 /// that end that close to a slice belong to it too.
 constexpr float k_slice_slack = 0.01f;
 
+/// Bounds of larger ones would lose all digits, or be no numbers at all.
+constexpr float k_farthest_light_m = 1e6f;
+
 /// The cells that a light touches; ends are included.
 struct CellBox {
     glm::uvec3 first{0};
@@ -68,7 +71,10 @@ void bound_lights(const systems::FrameView& view, std::span<const systems::Frame
                   std::vector<BoundedLight>& found) {
     found.clear();
     for (std::uint32_t light = 0; light < lights.size(); ++light) {
-        const auto bounds = sphere_rectangle(view, lights[light].position_m, lights[light].radius_m);
+        const glm::vec3 place = lights[light].position_m;
+        if (!std::isfinite(place.x + place.y + place.z) || !(lights[light].radius_m > 0.0f)) continue;
+        const auto bounds =
+            sphere_rectangle(view, place, std::min(lights[light].radius_m, k_farthest_light_m));
         if (bounds) found.push_back({light, *bounds});
     }
 }

@@ -136,7 +136,8 @@ TEST(GeneratedMeshes, StayWithinTheBudgetOfASoftwareRasteriser) {
         }
     }
     EXPECT_LT(total, 1'100'000u);
-    EXPECT_LE(scene.materials.size(), 60u);
+    // Panes that are lit warm or blue at night are materials of their own.
+    EXPECT_LE(scene.materials.size(), 64u);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -98,6 +99,27 @@ TEST(LightBins, ListsFollowEachOtherAndAscend) {
     // Most cells must be spared by most lights, or there would be no point in cells.
     EXPECT_LT(static_cast<double>(bins.entries.size()),
               0.02 * static_cast<double>(bins.ranges.size() * lights.size()));
+}
+
+TEST(LightBins, LightsThatAreNoNumbersReachNothingAndEndlessOnesEverything) {
+    constexpr float k_endless = std::numeric_limits<float>::infinity();
+    constexpr float k_no_number = std::numeric_limits<float>::quiet_NaN();
+    const systems::FrameView view = view_of({640, 360});
+    std::vector<systems::FrameLight> lights(5);
+    lights[0].radius_m = k_no_number;
+    lights[1] = {.position_m = {k_no_number, 0, 0}, .radius_m = 5.0f};
+    lights[2] = {.position_m = {0, k_endless, 0}, .radius_m = 5.0f};
+    lights[3] = {.position_m = {0, 0, -5}, .radius_m = 0.0f};
+    lights[4] = {.position_m = {0, 0, -5}, .radius_m = k_endless};
+    std::vector<BoundedLight> bounded;
+    bound_lights(view, lights, bounded);
+    ASSERT_EQ(bounded.size(), 1u);
+    EXPECT_EQ(bounded[0].light, 4u);
+    EXPECT_EQ(bounded[0].bounds.nearest_m, 0.0f);
+    EXPECT_GT(bounded[0].bounds.depth, 0.0f);
+    LightBinner binner;
+    const LightBins& bins = binner.bin(view.size_px, bounded, 64, 16);
+    EXPECT_TRUE(std::ranges::all_of(bins.ranges, [](glm::uvec2 range) { return range.y == 1; }));
 }
 
 TEST(LightBins, WithoutLightsAllCellsAreEmpty) {
