@@ -32,7 +32,7 @@ Difference difference(const assets::Image& a, const assets::Image& b) {
             beyond += largest > 1 ? 1 : 0;
         }
     }
-    found.beyond_one_pct = 100.0 * static_cast<double>(beyond) / (double{a.width} * a.height);
+    found.beyond_one_pct = 100.0 * static_cast<double>(beyond) / (static_cast<double>(a.width) * a.height);
     return found;
 }
 
