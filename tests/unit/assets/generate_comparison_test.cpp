@@ -64,7 +64,7 @@ TEST(Blocks, AreAsTheComparisonSays) {
     EXPECT_EQ(material_of(scene, boxes[0]).metalness, 0.0f);
 
     ASSERT_EQ(scene.lights.size(), 16u);
-    const Node& sixth = named(scene, "light-6").at(0);
+    const Node sixth = named(scene, "light-6").at(0);
     EXPECT_EQ(sixth.local.translation_m, glm::vec3(36, 14, -36));
     EXPECT_EQ(scene.lights[sixth.light].colour, glm::vec3(1.0f, 0.6f, 0.3f));
     EXPECT_EQ(scene.lights[7].colour, glm::vec3(0.3f, 0.6f, 1.0f));
