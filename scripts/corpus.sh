@@ -24,8 +24,8 @@ show_corpus() {
     # No name in the corpus holds a comma.
     mapfile -t clips < <(awk -F, 'NR > 1 && $6 > 0 { print $1 }' "$out/files.csv")
     draw_sheets "$out/clips" "${clips[@]}" --clip-time 1.2
-    refused="$(grep -c ',refuse,' "$out/files.csv")"
-    undrawn="$(cat "$out"/sheet-*.json | grep -c '"error":')"
+    refused="$(grep -c ',refuse,' "$out/files.csv" || true)"
+    undrawn="$(cat "$out"/sheet-*.json | grep -c '"error":' || true)"
     say "Wrote $out/files.csv and $(ls "$out"/*.png | wc -l) sheets beside it"
     if [ "$refused" != "$undrawn" ]; then
         say "$refused files are refused, but $undrawn were not drawn"

@@ -215,7 +215,8 @@ TEST(Brdf, EnvironmentReflectanceFollowsTheSplitSumIntegral) {
             Inputs inputs;
             add(inputs, {roughness, cos_v, 0, 0});
             const float found =
-                gpu.run("brdf.glsl", "result.x = environment_reflectance(vec3(0.04), 1.0, a.x, a.y).x;", inputs)[0]
+                gpu.run("brdf.glsl", "result.x = environment_reflectance(vec3(0.04), 1.0, a.x, a.y).x;",
+                        inputs)[0]
                     .x;
             // The published fit is for a phone's GPU and another masking function: off by 0.064 at grazing
             // angles.

@@ -26,8 +26,8 @@ struct Material {
     float roughness;
     float normal_scale;
     float occlusion_strength;
-    uint flags;       // k_material_…
-    uint alpha_mode;  // assets::AlphaMode
+    uint flags;           // k_material_…
+    uint alpha_mode;      // assets::AlphaMode
     float dielectric_f0;  // what it reflects at normal incidence where it is no metal
     uint padding1;
     UvTransform base_colour_uv;
