@@ -19,6 +19,7 @@ namespace rambla::ecs {
 
 ReservedMemory::ReservedMemory(ReservedMemory&& other) noexcept
     : data_{std::exchange(other.data_, nullptr)},
+      skipped_bytes_{std::exchange(other.skipped_bytes_, 0)},
       committed_bytes_{std::exchange(other.committed_bytes_, 0)},
       reserved_bytes_{std::exchange(other.reserved_bytes_, 0)} {}
 
@@ -26,6 +27,7 @@ ReservedMemory& ReservedMemory::operator=(ReservedMemory&& other) noexcept {
     if (this == &other) return *this;
     release();
     data_ = std::exchange(other.data_, nullptr);
+    skipped_bytes_ = std::exchange(other.skipped_bytes_, 0);
     committed_bytes_ = std::exchange(other.committed_bytes_, 0);
     reserved_bytes_ = std::exchange(other.reserved_bytes_, 0);
     return *this;
@@ -39,9 +41,13 @@ ReservedMemory::~ReservedMemory() {
 
 namespace {
 
+std::size_t page_bytes() {
+    static const std::size_t bytes = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    return bytes;
+}
+
 std::size_t whole_pages(std::size_t bytes) {
-    static const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    return (bytes + page - 1) / page * page;
+    return (bytes + page_bytes() - 1) / page_bytes() * page_bytes();
 }
 
 // Walks and random access over millions of rows wait for the translation of addresses as much as for data.
@@ -78,11 +84,13 @@ void complete_large_page(std::byte*, std::byte*, std::byte*) {}
 
 const bool ReservedMemory::grows_in_place = true;
 
-ReservedMemory::ReservedMemory(std::size_t max_bytes) : reserved_bytes_{whole_pages(max_bytes)} {
+ReservedMemory::ReservedMemory(std::size_t max_bytes, std::size_t skipped_pages)
+    : skipped_bytes_{skipped_pages * page_bytes()}, reserved_bytes_{whole_pages(max_bytes)} {
     if (reserved_bytes_ == 0) return;
-    void* address = mmap(nullptr, reserved_bytes_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (address == MAP_FAILED) detail::throw_no_memory("address space", reserved_bytes_);
-    data_ = static_cast<std::byte*>(address);
+    const std::size_t bytes = skipped_bytes_ + reserved_bytes_;
+    void* address = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (address == MAP_FAILED) detail::throw_no_memory("address space", bytes);
+    data_ = static_cast<std::byte*>(address) + skipped_bytes_;
     advise_large_pages(data_, reserved_bytes_);
 }
 
@@ -110,7 +118,7 @@ void ReservedMemory::decommit(std::size_t bytes) noexcept {
 }
 
 void ReservedMemory::release() noexcept {
-    if (data_ != nullptr) munmap(data_, reserved_bytes_);
+    if (data_ != nullptr) munmap(data_ - skipped_bytes_, skipped_bytes_ + reserved_bytes_);
 }
 
 #else
@@ -123,7 +131,7 @@ constexpr std::align_val_t k_alignment{64};
 
 const bool ReservedMemory::grows_in_place = false;
 
-ReservedMemory::ReservedMemory(std::size_t max_bytes) : reserved_bytes_{max_bytes} {}
+ReservedMemory::ReservedMemory(std::size_t max_bytes, std::size_t) : reserved_bytes_{max_bytes} {}
 
 void ReservedMemory::commit(std::size_t bytes) {
     if (bytes <= committed_bytes_) return;

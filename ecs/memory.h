@@ -14,7 +14,10 @@ public:
 
     ReservedMemory() = default;
     /// Reserves, commits nothing. Throws CapacityExceeded when the address space is used up.
-    explicit ReservedMemory(std::size_t max_bytes);
+    /// @param skipped_pages  of the range, before data(), where there are ranges: so that many reservations
+    /// of
+    ///                       one size do not all begin at the same place of their tables of pages
+    explicit ReservedMemory(std::size_t max_bytes, std::size_t skipped_pages = 0);
     ReservedMemory(ReservedMemory&& other) noexcept;
     ReservedMemory& operator=(ReservedMemory&& other) noexcept;
     ~ReservedMemory();
@@ -38,6 +41,7 @@ private:
     void release() noexcept;
 
     std::byte* data_ = nullptr;
+    std::size_t skipped_bytes_ = 0;  ///< reserved before data_
     std::size_t committed_bytes_ = 0;
     std::size_t reserved_bytes_ = 0;
 };
