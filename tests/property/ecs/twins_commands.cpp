@@ -144,8 +144,8 @@ void Twins::apply_all() {
     play_effects(std::exchange(recordings_, std::vector<Recording>(k_recordings)), playback, version);
 }
 
-/// Many commands of one kind about the entities of one archetype, in any order; sometimes with one among
-/// them that is about another entity, one that has ended, or one that had its turn.
+/// Many commands of one kind about the entities of one archetype, in any order, in up to three recordings;
+/// sometimes with one among them that is about another entity, one that has ended, or one that had its turn.
 void Twins::apply_alike(const Operation& operation) {
     const std::optional<Entity> example = target(operation);
     if (!example) return;
@@ -163,15 +163,19 @@ void Twins::apply_alike(const Operation& operation) {
     Entity& odd = entities[operation.b / 4 % wanted];
     if (operation.b % 16 == 1) odd = model_.alive()[operation.c % model_.alive().size()];
     if (operation.b % 16 == 2 && !model_.dead().empty()) odd = model_.dead().back();
-    Commands commands;
-    Recording recording;
-    recording.commands = &commands;
-    const bool removes = model_.at(*example).has(operation.c % k_part_count);
-    say((removes ? "remove from " : "add to ") + std::to_string(wanted) + " alike:");
+    if (operation.b % 16 == 3) odd = entities.back();
+    CommandQueue queue;
+    std::vector<Recording> recordings(1 + operation.a % k_recordings);
+    for (std::uint32_t place = 0; place < recordings.size(); ++place)
+        recordings[place].commands = &queue.recording({place, 0});
+    const bool removes = model_.at(*example).has(operation.c % k_part_count) && operation.b / 16 % 2 == 0;
+    say((removes ? "remove from " : "add to ") + std::to_string(wanted) + " alike, in " +
+        std::to_string(recordings.size()) + " recordings:");
     const auto part = static_cast<std::uint32_t>(operation.c % k_part_count);
     for (std::uint32_t i = 0; i < wanted; ++i) {
         // Other values of the same part, in the high bits where most parts have theirs.
         const std::uint32_t n = operation.c + (i << 18u);
+        Recording& recording = recordings[i * recordings.size() / wanted];
         const Operation one{.c = n - n % static_cast<std::uint32_t>(k_part_count) + part};
         if (removes) {
             record_remove(recording, entities[i], one);
@@ -181,8 +185,8 @@ void Twins::apply_alike(const Operation& operation) {
     }
     if (mirror_ != nullptr) mirror_->watch_order(world_, true);
     const std::uint32_t version = world_.version();
-    const Playback playback = commands.apply(world_);
-    play_effects({&recording, 1}, playback, version);
+    const Playback playback = queue.apply(world_);
+    play_effects(recordings, playback, version);
 }
 
 void Twins::play_effects(std::span<const Recording> recordings, const Playback& playback,
