@@ -6,15 +6,16 @@
 
 namespace rambla::ecs::detail {
 
-std::byte* CommandList::push_first(Entity entity, const CommandType& type, std::size_t alignment) {
+std::byte* CommandList::push_first(Entity entity, const CommandType& type, std::size_t stride,
+                                   std::size_t alignment) {
     if (empty() && type.is_about_one_column()) {
         alike_entities_.push_back(entity);
-        std::byte* const values = push_values_apart(type.stride, alignment);
+        std::byte* const values = push_values_apart(stride, alignment);
         alike_type_ = &type;
         return values;
     }
     one_by_one();
-    std::byte* const values = type.stride == 0 ? nullptr : arena_.take(type.stride, alignment);
+    std::byte* const values = stride == 0 ? nullptr : arena_.take(stride, alignment);
     commands_.push_back({entity, &type, values});
     return values;
 }

@@ -37,7 +37,7 @@ public:
             std::byte* const values = arena_.take_behind(stride);
             return values != nullptr ? values : push_values_apart(stride, alignment);
         }
-        if (alike_type_ != nullptr || commands_.empty()) return push_first(entity, type, alignment);
+        if (alike_type_ != nullptr || commands_.empty()) return push_first(entity, type, stride, alignment);
         std::byte* const values = stride == 0 ? nullptr : arena_.take(stride, alignment);
         commands_.push_back({entity, &type, values});
         return values;
@@ -69,7 +69,7 @@ private:
     };
 
     /// The first of all, or the first that is not like those before it.
-    std::byte* push_first(Entity entity, const CommandType& type, std::size_t alignment);
+    std::byte* push_first(Entity entity, const CommandType& type, std::size_t stride, std::size_t alignment);
     /// Memory for the values of the entity pushed last, which is taken back if there is none.
     std::byte* push_values_apart(std::size_t stride, std::size_t alignment);
     /// Calls f(number, values) for each of the alike commands.
