@@ -28,11 +28,12 @@ std::uint64_t ResidencyPlan::limit(std::uint64_t budget_bytes) const {
 }
 
 void ResidencyPlan::aim(std::span<const std::uint8_t> demand, std::span<const std::uint8_t> resident,
-                        std::uint64_t budget_bytes) {
-    RAMBLA_ASSERT(demand.size() == images_.size() && resident.size() == images_.size(),
+                        std::span<const std::uint8_t> to_be_had, std::uint64_t budget_bytes) {
+    RAMBLA_ASSERT(demand.size() == images_.size() && resident.size() == images_.size() &&
+                      to_be_had.size() == images_.size(),
                   "there is a number for each image");
     ++now_;
-    remember(demand);
+    remember(demand, to_be_had);
     room_bytes_ = limit(budget_bytes);
     target_bytes_ = floor_bytes_;
     replaced_bytes_ = 0;
@@ -43,7 +44,7 @@ void ResidencyPlan::aim(std::span<const std::uint8_t> demand, std::span<const st
     keep_unneeded(resident);
 }
 
-void ResidencyPlan::remember(std::span<const std::uint8_t> demand) {
+void ResidencyPlan::remember(std::span<const std::uint8_t> demand, std::span<const std::uint8_t> to_be_had) {
     for (std::uint32_t i = 0; i < images_.size(); ++i) {
         const std::uint8_t floor = images_[i].floor;
         if (demand[i] != systems::k_not_demanded) {
@@ -57,8 +58,9 @@ void ResidencyPlan::remember(std::span<const std::uint8_t> demand) {
         std::uint8_t finest = 0;
         while (finest < floor && !is_needed(finest))
             ++finest;
-        needed_[i] = finest;
-        wanted_[i] = is_needed(finest) ? std::min(finest, images_[i].exact) : floor;
+        const std::uint8_t had = std::min(to_be_had[i], floor);
+        wanted_[i] = is_needed(finest) ? std::max(std::min(finest, images_[i].exact), had) : floor;
+        needed_[i] = std::max(finest, had);
     }
 }
 

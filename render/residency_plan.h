@@ -35,11 +35,15 @@ public:
     /// Chooses the targets, once per frame.
     /// @param demand    finest level needed, or systems::k_not_demanded; one for each image
     /// @param resident  finest level that is resident, one for each image; not coarser than its floor
+    /// @param to_be_had  finest level that can be loaded, one for each image: nothing is kept free for finer
+    /// ones
     void aim(std::span<const std::uint8_t> demand, std::span<const std::uint8_t> resident,
-             std::uint64_t budget_bytes);
+             std::span<const std::uint8_t> to_be_had, std::uint64_t budget_bytes);
 
     [[nodiscard]] std::span<const ImageLevels> images() const { return images_; }
     [[nodiscard]] std::span<const std::uint8_t> targets() const { return targets_; }
+    /// Finest level of each image that is needed, or was within k_hold_frames; its floor if nothing finer is.
+    [[nodiscard]] std::span<const std::uint8_t> needed() const { return needed_; }
     [[nodiscard]] std::uint64_t floor_bytes() const { return floor_bytes_; }
     /// Most that a texture which makes others finer may lead to: the rest of a budget lets any image return
     /// to its floor.
@@ -54,7 +58,7 @@ private:
     };
     [[nodiscard]] static bool is_less_urgent(const Candidate& a, const Candidate& b);
     [[nodiscard]] Candidate candidate(std::uint32_t image, std::span<const std::uint8_t> resident) const;
-    void remember(std::span<const std::uint8_t> demand);
+    void remember(std::span<const std::uint8_t> demand, std::span<const std::uint8_t> to_be_had);
     void refine(std::span<const std::uint8_t> resident);
     void keep_unneeded(std::span<const std::uint8_t> resident);
     /// Takes `target` for an image if it fits.
@@ -69,8 +73,8 @@ private:
     std::uint64_t now_ = 0;
     std::vector<std::uint32_t> first_stamp_;
     std::vector<std::uint64_t> needed_at_;  ///< by image and level: the last frame that needed it; 0: none
-    std::vector<std::uint8_t> needed_;      ///< by image; its floor if nothing finer is
-    std::vector<std::uint8_t> wanted_;      ///< as needed_, or finer for exactness
+    std::vector<std::uint8_t> needed_;
+    std::vector<std::uint8_t> wanted_;  ///< as needed_, or finer for exactness
     std::vector<std::uint8_t> targets_;
 
     // Of one aim():

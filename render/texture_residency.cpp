@@ -114,7 +114,7 @@ void TextureResidency::aim(std::span<const std::uint8_t> demand, const TexturePa
                   "Frames use the uploaded scene's indices");
     budget_bytes_ = bytes_from_mib(parameters.budget_mib);
     if (!demand.empty()) std::copy(demand.begin(), demand.end(), demand_.begin());
-    plan_.aim(demand_, resident_, budget_bytes_);
+    plan_.aim(demand_, resident_, finest_to_be_had_, budget_bytes_);
     if (plan_.floor_bytes() > budget_bytes_ && !std::exchange(warned_, true)) {
         spdlog::warn(
             "textures: found a budget of {:.2f} MiB, expected {:.2f} MiB for the smallest levels of "
@@ -155,22 +155,39 @@ bool TextureResidency::coarsen() {
         resident_bytes += chain_bytes(image, resident_[image]);
     const bool too_much = resident_bytes > plan_.limit(budget_bytes_);
     bool any = false;
+    std::optional<std::uint32_t>
+        stuck;  // of those that do not fit beside what they replace, the least needed
     for (std::uint32_t image = 0; image < images_.size(); ++image) {
         const std::uint8_t target = plan_.targets()[image];
         if (target <= resident_[image] || (building_ && building_->levels.range.image == image)) continue;
-        const std::uint8_t floor = plan_.images()[image].floor;
-        const auto fits = [&](std::uint8_t first) {
-            return held_bytes_ + chain_bytes(image, first) <= budget_bytes_;
-        };
-        if (!fits(target) && !retired_.empty()) continue;  // there will be room in a moment
-        const std::uint8_t first = fits(target) ? target : floor;
-        if (!fits(first) && !too_much) continue;
-        gl::Texture texture = make_texture(image, first);
-        copy_levels(textures_[image], resident_[image], texture, first, images_[image], first);
-        replace(image, first, std::move(texture));
-        any = true;
+        if (fits(image, target)) {
+            make_coarser(image, target);
+            any = true;
+        } else if (!stuck || needed_levels(image) < needed_levels(*stuck)) {
+            stuck = image;
+        }
     }
-    return any;
+    // What has just been replaced leaves room in a moment. Else one goes to its floor, from where it comes
+    // back.
+    if (any || !stuck || !retired_.empty()) return any;
+    const std::uint8_t floor = plan_.images()[*stuck].floor;
+    if (!fits(*stuck, floor) && !too_much) return false;
+    make_coarser(*stuck, floor);
+    return true;
+}
+
+bool TextureResidency::fits(std::uint32_t image, std::uint32_t first) const {
+    return held_bytes_ + chain_bytes(image, first) <= budget_bytes_;
+}
+
+int TextureResidency::needed_levels(std::uint32_t image) const {
+    return int{plan_.images()[image].floor} - int{plan_.needed()[image]};
+}
+
+void TextureResidency::make_coarser(std::uint32_t image, std::uint32_t first) {
+    gl::Texture texture = make_texture(image, first);
+    copy_levels(textures_[image], resident_[image], texture, first, images_[image], first);
+    replace(image, first, std::move(texture));
 }
 
 bool TextureResidency::build(std::uint64_t upload_bytes) {

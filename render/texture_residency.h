@@ -75,6 +75,11 @@ private:
     bool advance(std::uint64_t upload_bytes);
     bool take_answers();
     bool coarsen();
+    /// Whether a texture from level `first` on has room beside all that there is.
+    [[nodiscard]] bool fits(std::uint32_t image, std::uint32_t first) const;
+    /// Levels finer than its floor that pictures need.
+    [[nodiscard]] int needed_levels(std::uint32_t image) const;
+    void make_coarser(std::uint32_t image, std::uint32_t first);
     bool build(std::uint64_t upload_bytes);
     [[nodiscard]] bool start_building();
     [[nodiscard]] std::uint64_t upload(Building& building, std::uint64_t bytes) const;

@@ -40,7 +40,7 @@ std::uint64_t bytes_of(const ResidencyPlan& plan, std::span<const std::uint8_t> 
 Levels aim(ResidencyPlan& plan, const Levels& demand, Levels resident, std::uint64_t budget,
            std::uint64_t frames = 1) {
     for (std::uint64_t i = 0; i < frames; ++i) {
-        plan.aim(demand, resident, budget);
+        plan.aim(demand, resident, Levels(demand.size(), 0), budget);
         resident.assign(plan.targets().begin(), plan.targets().end());
     }
     return resident;
@@ -96,7 +96,7 @@ TEST(ResidencyPlan, NeverExceedsTheBudgetWhateverIsDemanded) {
             Levels demand;
             for (std::size_t i = 0; i < images.size(); ++i)
                 demand.push_back(below(3) == 0 ? k_none : static_cast<std::uint8_t>(below(8)));
-            plan.aim(demand, resident, budget);
+            plan.aim(demand, resident, Levels(demand.size(), 0), budget);
             std::uint64_t replaced = 0;
             for (std::size_t i = 0; i < images.size(); ++i) {
                 ASSERT_LE(plan.targets()[i], floors[i]) << "floors stay";
@@ -147,6 +147,18 @@ TEST(ResidencyPlan, DoesNotSwapWhatIsNeededInTurns) {
     EXPECT_EQ(resident[1], 0) << "what is needed no longer goes at last";
 }
 
+TEST(ResidencyPlan, SpendsNothingOnLevelsThatCannotBeHad) {
+    ResidencyPlan plan{{image_of(2), image_of(2)}};
+    const std::uint64_t room_for_one = budget_for(k_floor + k_fine, k_floor);
+    plan.aim(Levels{0, 0}, Levels{2, 2}, Levels{2, 0}, room_for_one);
+    EXPECT_EQ(plan.targets()[0], 2);
+    EXPECT_EQ(plan.targets()[1], 0);
+    EXPECT_EQ(plan.needed()[0], 2);
+    plan.aim(Levels{0, 0}, Levels{2, 2}, Levels{1, 0}, budget_for(k_middle + k_fine, k_floor));
+    EXPECT_EQ(plan.targets()[0], 1);
+    EXPECT_EQ(plan.targets()[1], 0);
+}
+
 TEST(ResidencyPlan, KeepsWhatNobodyNeedsWhileThereIsRoom) {
     ResidencyPlan plan{{image_of(2), image_of(2)}};
     const Levels fine = aim(plan, {0, 0}, {2, 2}, 1'000'000);
@@ -184,8 +196,8 @@ TEST(ResidencyPlan, IsTheSameForTheSameCalls) {
         Levels demand;
         for (int i = 0; i < 20; ++i)
             demand.push_back(static_cast<std::uint8_t>(random() % 6));
-        one.aim(demand, resident, 40'000);
-        other.aim(demand, resident, 40'000);
+        one.aim(demand, resident, Levels(demand.size(), 0), 40'000);
+        other.aim(demand, resident, Levels(demand.size(), 0), 40'000);
         ASSERT_TRUE(std::equal(one.targets().begin(), one.targets().end(), other.targets().begin()));
         resident.assign(one.targets().begin(), one.targets().end());
     }

@@ -182,6 +182,27 @@ TEST_F(TextureResidencyTest, StaysAtTheLevelItHasWhenFinerOnesCannotBeHad) {
     EXPECT_EQ(images.source->asked(), 2u) << "it is not asked for again";
 }
 
+// The first and the second fill the budget. The first is needed less then, the second not at all, and when that
+// is no news any more, the third is needed.
+TEST_F(TextureResidencyTest, NeverTakesAwayWhatIsNeededWhileOthersAreNot) {
+    Images images{{noise_texture(512, 512, 1), noise_texture(512, 512, 2), noise_texture(512, 544, 3)}};
+    const TextureParameters parameters{
+        mib(2 * chain_bytes(images.whole[0], 0) + 3 * chain_bytes(images.whole[2], 3)), 16.0f};
+    images.complete({0, 0, k_none}, parameters);
+    ASSERT_EQ(images.finest(0), 0u);
+    ASSERT_EQ(images.finest(1), 0u);
+    for (std::uint64_t frame = 0; frame <= ResidencyPlan::k_hold_frames; ++frame)
+        images.update({1, k_none, k_none}, parameters);
+    ASSERT_EQ(images.finest(0), 0u);
+    ASSERT_EQ(images.finest(1), 0u);
+    for (int frame = 0; frame < 20; ++frame) {
+        images.update({1, k_none, 0}, parameters);
+        ASSERT_LE(images.finest(0), 1u) << frame;
+    }
+    EXPECT_EQ(images.finest(0), 1u) << "there is no room for more";
+    EXPECT_EQ(images.finest(2), 0u);
+}
+
 TEST_F(TextureResidencyTest, FollowsABudgetThatShrinks) {
     Images images{some_images()};
     images.complete({0, 0, 0, 0, 0, 0}, {k_plenty_mib, 16.0f});
