@@ -10,8 +10,8 @@ namespace rambla::render {
 
 namespace {
 
-/// Two of the tiles that lighting divides the screen into: a lamp reaches one of them. No powers of two,
-/// which llvmpipe compiles shaders of their own for.
+/// Two of the tiles that lighting divides the screen into: a lamp reaches one of them. No powers of two:
+/// with those, llvmpipe compiled shaders that no later frame used.
 constexpr glm::uvec2 k_size_px{120, 56};
 constexpr float k_near_m = 0.1f;
 constexpr float k_light_distance_m = 2.0f;

@@ -41,11 +41,7 @@ void main() {
 #if ALPHA_MASK
     if (base.a < m.emissive_cutoff.a) discard;
 #endif
-    vec3 normal = interpolated_normal();
-#if DETAIL
-    vec3 mapped = mapped_normal(m, normal);  // outside any branch: its texture needs derivatives
-    normal = (m.flags & k_material_has_normal_texture) != 0u ? mapped : normal;
-#endif
+    vec3 normal = surface_normal(m);
     normal = kept_normal(normal);
     vec3 kept = kept_surface(sample_surface(m));
     Surface s = make_surface(normal, kept_albedo(base.rgb), kept.x, kept.y, kept.z,

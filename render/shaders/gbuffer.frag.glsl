@@ -15,11 +15,7 @@ void main() {
 #if ALPHA_MASK
     if (base.a < m.emissive_cutoff.a) discard;
 #endif
-    vec3 normal = interpolated_normal();
-#if DETAIL
-    vec3 mapped = mapped_normal(m, normal);  // outside any branch: its texture needs derivatives
-    normal = (m.flags & k_material_has_normal_texture) != 0u ? mapped : normal;
-#endif
+    vec3 normal = surface_normal(m);
     bool unlit = (m.flags & k_material_unlit) != 0u;
     vec3 surface = sample_surface(m);
     out_albedo = vec4(unlit ? vec3(0.0) : stored_albedo(base.rgb), unlit ? k_unlit : stored_reflectance(m.dielectric_f0));

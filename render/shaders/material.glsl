@@ -51,6 +51,16 @@ vec3 mapped_normal(Material m, vec3 normal) {
 }
 #endif
 
+/// The interpolated normal, or the normal texture's where there is one.
+vec3 surface_normal(Material m) {
+    vec3 normal = interpolated_normal();
+#if DETAIL
+    vec3 mapped = mapped_normal(m, normal);  // outside any branch: its texture needs derivatives
+    normal = (m.flags & k_material_has_normal_texture) != 0u ? mapped : normal;
+#endif
+    return normal;
+}
+
 /// Roughness, metalness, occlusion.
 vec3 sample_surface(Material m) {
     vec3 surface = vec3(m.roughness, m.metalness, 1.0);
