@@ -5,9 +5,9 @@
 fuzz() {
     local seconds="$1" folder="$root/build/fuzz" target found=0
     shift
-    build fuzz rambla_fuzzers
+    build asan rambla_fuzzers
     rm -rf "$folder/seeds"
-    "$folder/bin/rambla_fuzz_seeds" "$folder/seeds"
+    "$root/build/asan/bin/rambla_fuzz_seeds" "$folder/seeds"
     mkdir -p "$folder/findings"
     [ $# -gt 0 ] || set -- $(cd "$root/tests/fuzz/targets" && ls -- *.cpp | sed 's/\.cpp$//')
     for target in "$@"; do
@@ -26,7 +26,7 @@ fuzz_one() {
     mkdir -p "$corpus" "$folder/tmp"
     [ -f "$dictionary" ] && dictionary="-dict=$dictionary" || dictionary=
     TMPDIR="$folder/tmp" ASAN_OPTIONS=quarantine_size_mb=64:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1 \
-        nice "$folder/bin/rambla_fuzz_$target" -max_total_time="$seconds" -timeout=10 -max_len=65536 \
+        nice "$root/build/asan/bin/rambla_fuzz_$target" -max_total_time="$seconds" -timeout=10 -max_len=65536 \
         -rss_limit_mb=2048 -malloc_limit_mb=512 -print_final_stats=1 ${dictionary:+"$dictionary"} \
         -artifact_prefix="$folder/findings/$target-" "$corpus" "$folder/seeds/$target" >"$log" 2>&1 || status=1
     if [ $status -ne 0 ]; then
