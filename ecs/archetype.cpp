@@ -20,12 +20,11 @@ constexpr std::size_t k_stagger_bytes = 320;
 constexpr std::size_t k_staggered_columns = 12;
 static_assert(k_stagger_bytes % k_column_alignment == 0 && k_stagger_bytes * k_staggered_columns < 4096);
 
-/// Reservations are as wide as the most rows of an archetype, so they begin at nearly the same place of their
-/// tables of pages, and the translations of all columns' addresses fight for the same sets of the caches that
-/// keep those: a walk over seven columns of 32 archetypes then takes 1.1 to 1.2 of the time
-/// (docs/benchmarks.md). So each begins this many pages later than the one before, anywhere in a table.
+/// Reservations are as wide as the most rows of an archetype, so they would begin at nearly the same place of
+/// their tables of pages, and the translations of all columns' addresses would compete for the same sets of
+/// the caches that keep those: docs/benchmarks.md says what that costs. Each begins this many pages behind
+/// the place of the one before, so that they are spread over all of a table.
 constexpr std::size_t k_stagger_pages = 37;
-constexpr std::size_t k_pages_per_table = 512;
 
 constexpr std::size_t round_up(std::size_t value, std::size_t multiple) {
     return (value + multiple - 1) / multiple * multiple;
@@ -209,7 +208,7 @@ void Archetype::grow_reserved(std::uint32_t capacity) {
     for (std::size_t i = 0; i <= columns_.size(); ++i) {
         const std::size_t reservation = index_ * (columns_.size() + 1) + i;
         fresh.emplace_back(stagger(i) + std::size_t{storage_.max_rows} * row_bytes(i),
-                           reservation * k_stagger_pages % k_pages_per_table);
+                           reservation * k_stagger_pages % ReservedMemory::k_pages_per_table);
     }
     for (std::size_t i = 0; i < fresh.size(); ++i)
         fresh[i].commit(stagger(i) + std::size_t{capacity} * row_bytes(i));

@@ -35,8 +35,8 @@ struct Playback {
 ///     the lowest of them on;
 ///   - rows that come from other archetypes follow behind, by the age of the archetype that they come from,
 ///     then in the order that they had there; but in the order of the commands where these are at least 32,
-///     all the same, and about different entities of one archetype, in a world without observers, and the
-///     component is stored in a column of its own and holds no entities;
+///     all the same, and about different entities of one archetype, in a world without observers, of a
+///     component that has a column or is a tag (but not where one is added that holds entities);
 ///   - created entities come last, in the order of their creation.
 /// Commands for all entities are played where they stand among the others. Their rows keep their order behind
 /// those that were there.

@@ -19,6 +19,7 @@ namespace rambla::ecs {
 
 ReservedMemory::ReservedMemory(ReservedMemory&& other) noexcept
     : data_{std::exchange(other.data_, nullptr)},
+      spare_bytes_{std::exchange(other.spare_bytes_, 0)},
       skipped_bytes_{std::exchange(other.skipped_bytes_, 0)},
       committed_bytes_{std::exchange(other.committed_bytes_, 0)},
       reserved_bytes_{std::exchange(other.reserved_bytes_, 0)} {}
@@ -27,6 +28,7 @@ ReservedMemory& ReservedMemory::operator=(ReservedMemory&& other) noexcept {
     if (this == &other) return *this;
     release();
     data_ = std::exchange(other.data_, nullptr);
+    spare_bytes_ = std::exchange(other.spare_bytes_, 0);
     skipped_bytes_ = std::exchange(other.skipped_bytes_, 0);
     committed_bytes_ = std::exchange(other.committed_bytes_, 0);
     reserved_bytes_ = std::exchange(other.reserved_bytes_, 0);
@@ -84,14 +86,27 @@ void complete_large_page(std::byte*, std::byte*, std::byte*) {}
 
 const bool ReservedMemory::grows_in_place = true;
 
-ReservedMemory::ReservedMemory(std::size_t max_bytes, std::size_t skipped_pages)
-    : skipped_bytes_{skipped_pages * page_bytes()}, reserved_bytes_{whole_pages(max_bytes)} {
+ReservedMemory::ReservedMemory(std::size_t max_bytes) : reserved_bytes_{whole_pages(max_bytes)} {
+    reserve(0);
+}
+
+ReservedMemory::ReservedMemory(std::size_t max_bytes, std::size_t page)
+    : reserved_bytes_{whole_pages(max_bytes)} {
+    reserve(k_pages_per_table * page_bytes());
+    const std::size_t first_page = reinterpret_cast<std::uintptr_t>(data_) / page_bytes();
+    skipped_bytes_ = (page - first_page) % k_pages_per_table * page_bytes();
+    if (data_ != nullptr) data_ += skipped_bytes_;
+}
+
+void ReservedMemory::reserve(std::size_t spare_bytes) {
     if (reserved_bytes_ == 0) return;
-    const std::size_t bytes = skipped_bytes_ + reserved_bytes_;
-    void* address = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (address == MAP_FAILED) detail::throw_no_memory("address space", bytes);
-    data_ = static_cast<std::byte*>(address) + skipped_bytes_;
-    advise_large_pages(data_, reserved_bytes_);
+    void* address =
+        mmap(nullptr, spare_bytes + reserved_bytes_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (address == MAP_FAILED) detail::throw_no_memory("address space", spare_bytes + reserved_bytes_);
+    data_ = static_cast<std::byte*>(address);
+    spare_bytes_ = spare_bytes;
+    // What is alike is one mapping for the system, which has not many: the spare part, too.
+    advise_large_pages(data_, spare_bytes + reserved_bytes_);
 }
 
 void ReservedMemory::commit(std::size_t bytes) {
@@ -118,7 +133,7 @@ void ReservedMemory::decommit(std::size_t bytes) noexcept {
 }
 
 void ReservedMemory::release() noexcept {
-    if (data_ != nullptr) munmap(data_ - skipped_bytes_, skipped_bytes_ + reserved_bytes_);
+    if (data_ != nullptr) munmap(data_ - skipped_bytes_, spare_bytes_ + reserved_bytes_);
 }
 
 #else
@@ -131,7 +146,8 @@ constexpr std::align_val_t k_alignment{64};
 
 const bool ReservedMemory::grows_in_place = false;
 
-ReservedMemory::ReservedMemory(std::size_t max_bytes, std::size_t) : reserved_bytes_{max_bytes} {}
+ReservedMemory::ReservedMemory(std::size_t max_bytes) : reserved_bytes_{max_bytes} {}
+ReservedMemory::ReservedMemory(std::size_t max_bytes, std::size_t) : ReservedMemory{max_bytes} {}
 
 void ReservedMemory::commit(std::size_t bytes) {
     if (bytes <= committed_bytes_) return;

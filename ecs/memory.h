@@ -11,13 +11,15 @@ class ReservedMemory {
 public:
     /// Whether this system has ranges of address space.
     static const bool grows_in_place;
+    static constexpr std::size_t k_pages_per_table = 512;
 
     ReservedMemory() = default;
     /// Reserves, commits nothing. Throws CapacityExceeded when the address space is used up.
-    /// @param skipped_pages  of the range, before data(), where there are ranges: so that many reservations
-    /// of
-    ///                       one size do not all begin at the same place of their tables of pages
-    explicit ReservedMemory(std::size_t max_bytes, std::size_t skipped_pages = 0);
+    explicit ReservedMemory(std::size_t max_bytes);
+    /// The same, beginning at a page of one's choice among the k_pages_per_table that one table of the
+    /// system's translates; where there are no ranges, anywhere.
+    /// @param page  < k_pages_per_table
+    ReservedMemory(std::size_t max_bytes, std::size_t page);
     ReservedMemory(ReservedMemory&& other) noexcept;
     ReservedMemory& operator=(ReservedMemory&& other) noexcept;
     ~ReservedMemory();
@@ -38,10 +40,12 @@ public:
     [[nodiscard]] std::size_t reserved_bytes() const { return reserved_bytes_; }
 
 private:
+    void reserve(std::size_t spare_bytes);
     void release() noexcept;
 
     std::byte* data_ = nullptr;
-    std::size_t skipped_bytes_ = 0;  ///< reserved before data_
+    std::size_t spare_bytes_ = 0;    ///< reserved in excess, for the choice of a page
+    std::size_t skipped_bytes_ = 0;  ///< of these, before data_
     std::size_t committed_bytes_ = 0;
     std::size_t reserved_bytes_ = 0;
 };
