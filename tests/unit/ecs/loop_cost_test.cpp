@@ -51,6 +51,8 @@ TEST(LoopCost, RunsWithoutRowsTeachNothing) {
     cost.measured(0, 1'000'000'000);
     EXPECT_EQ(cost.grain(2, 1999, 2), 2u);
     EXPECT_EQ(cost.grain(2, 2000, 2), 1u);
+    cost.measured(1000, 20'000);
+    EXPECT_EQ(cost.grain(2, 1000, 2), 1u);  // this is the first that counts, not half of it
 }
 
 }  // namespace

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include "ecs/misuse.h"
@@ -40,6 +45,55 @@ TEST(ReservedMemory, IsAlignedForColumns) {
     ReservedMemory memory{k_gibibyte};
     memory.commit(1);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(memory.data()) % 64, 0u);
+}
+
+std::size_t page_in_table(const ReservedMemory& memory) {
+    return reinterpret_cast<std::uintptr_t>(memory.data()) / 4096 % ReservedMemory::k_pages_per_table;
+}
+
+/// Of address space, by this process.
+std::size_t mapped_bytes() {
+    std::ifstream maps{"/proc/self/maps"};
+    std::size_t bytes = 0, first = 0, last = 0;
+    char dash = 0;
+    for (std::string line; std::getline(maps, line);) {
+        std::istringstream{line} >> std::hex >> first >> dash >> last;
+        bytes += last - first;
+    }
+    return bytes;
+}
+
+TEST(ReservedMemory, BeginsAtThePageThatWasChosen) {
+    if (!ReservedMemory::grows_in_place || sysconf(_SC_PAGESIZE) != 4096) GTEST_SKIP() << "written for 4 KiB";
+    for (const std::size_t page : {0u, 1u, 37u, 511u}) {
+        ReservedMemory memory{k_gibibyte, page};
+        EXPECT_EQ(page_in_table(memory), page);
+        EXPECT_EQ(memory.reserved_bytes(), k_gibibyte);
+        memory.commit(memory.reserved_bytes() - 1);  // the last page is its own
+        memory.data()[k_gibibyte - 1] = std::byte{1};
+        EXPECT_THROW(memory.commit(k_gibibyte + 1), CapacityExceeded);
+        memory.decommit(5000);
+        EXPECT_EQ(memory.committed_bytes(), 8192u);
+        memory.commit(k_gibibyte);
+        EXPECT_EQ(memory.data()[k_gibibyte - 1], std::byte{0});
+    }
+    EXPECT_EQ(ReservedMemory(0, 7).data(), nullptr);
+}
+
+TEST(ReservedMemory, GivesBackAllThatItReservedAlsoAfterMoves) {
+    if (!ReservedMemory::grows_in_place) GTEST_SKIP() << "nothing is reserved on this system";
+    const std::size_t before = mapped_bytes();
+    {
+        ReservedMemory one{k_gibibyte, 300};
+        ReservedMemory other{k_gibibyte, 5};
+        EXPECT_GE(mapped_bytes(), before + 2 * k_gibibyte);
+        ReservedMemory moved{std::move(one)};
+        moved.commit(100);
+        other = std::move(moved);
+        EXPECT_LT(mapped_bytes(), before + 2 * k_gibibyte);
+        EXPECT_GE(other.committed_bytes(), 100u);
+    }
+    EXPECT_LT(mapped_bytes(), before + (1u << 20u)) << "less than a table's pages is left of what was spare";
 }
 
 TEST(ReservedMemory, RefusesMoreThanWasReservedAndStaysAsItIs) {
