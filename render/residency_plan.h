@@ -35,14 +35,14 @@ public:
     /// Chooses the targets, once per frame.
     /// @param demand    finest level needed, or systems::k_not_demanded; one for each image
     /// @param resident  finest level that is resident, one for each image; not coarser than its floor
-    /// @param to_be_had  finest level that can be loaded, one for each image: nothing is kept free for finer
-    /// ones
+    /// @param to_be_had  finest level that can be loaded, one for each image: finer ones get no room
     void aim(std::span<const std::uint8_t> demand, std::span<const std::uint8_t> resident,
              std::span<const std::uint8_t> to_be_had, std::uint64_t budget_bytes);
 
     [[nodiscard]] std::span<const ImageLevels> images() const { return images_; }
     [[nodiscard]] std::span<const std::uint8_t> targets() const { return targets_; }
-    /// Finest level of each image that is needed, or was within k_hold_frames; its floor if nothing finer is.
+    /// Finest level of each image that is needed, or was within k_hold_frames, and can be had; else its
+    /// floor.
     [[nodiscard]] std::span<const std::uint8_t> needed() const { return needed_; }
     [[nodiscard]] std::uint64_t floor_bytes() const { return floor_bytes_; }
     /// Most that a texture which makes others finer may lead to: the rest of a budget lets any image return

@@ -100,6 +100,7 @@ void TextureResidency::complete(std::span<const std::uint8_t> demand, const Text
     if (source_ == nullptr) return;
     aim(demand, parameters);
     for (;;) {
+        if (std::exchange(lost_, false)) aim(demand, parameters);
         if (advance(std::numeric_limits<std::uint64_t>::max())) continue;
         if (!retired_.empty()) {
             finish();
@@ -139,6 +140,7 @@ bool TextureResidency::take_answers() {
         const std::uint32_t image = levels->range.image;
         if (levels->bytes.empty()) {
             finest_to_be_had_[image] = static_cast<std::uint8_t>(levels->range.end);
+            lost_ = true;
             staged_bytes_ -= bytes_of(images_[image], levels->range);
         } else {
             ready_.push_back(std::move(*levels));
@@ -155,8 +157,7 @@ bool TextureResidency::coarsen() {
         resident_bytes += chain_bytes(image, resident_[image]);
     const bool too_much = resident_bytes > plan_.limit(budget_bytes_);
     bool any = false;
-    std::optional<std::uint32_t>
-        stuck;  // of those that do not fit beside what they replace, the least needed
+    std::optional<std::uint32_t> stuck;  // the least needed of those that do not fit beside what they replace
     for (std::uint32_t image = 0; image < images_.size(); ++image) {
         const std::uint8_t target = plan_.targets()[image];
         if (target <= resident_[image] || (building_ && building_->levels.range.image == image)) continue;
@@ -167,12 +168,13 @@ bool TextureResidency::coarsen() {
             stuck = image;
         }
     }
-    // What has just been replaced leaves room in a moment. Else one goes to its floor, from where it comes
-    // back.
-    if (any || !stuck || !retired_.empty()) return any;
-    const std::uint8_t floor = plan_.images()[*stuck].floor;
-    if (!fits(*stuck, floor) && !too_much) return false;
-    make_coarser(*stuck, floor);
+    // What is being replaced leaves room soon. Else one becomes coarser than it is to be, and comes back.
+    if (any || !stuck || !retired_.empty() || (building_ && !too_much)) return any;
+    std::uint8_t first = plan_.targets()[*stuck];
+    while (first < plan_.images()[*stuck].floor && !fits(*stuck, first))
+        ++first;
+    if (!fits(*stuck, first) && !too_much) return false;
+    make_coarser(*stuck, first);
     return true;
 }
 

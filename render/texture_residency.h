@@ -101,6 +101,7 @@ private:
     std::vector<std::uint8_t> demand_;
     std::uint64_t budget_bytes_ = 0;
     bool warned_ = false;
+    bool lost_ = false;  ///< some level cannot be had that the targets count on
 
     std::vector<assets::LevelRange> asked_;
     std::vector<assets::LoadedLevels> ready_;
