@@ -179,8 +179,8 @@ void iterate_7_bare(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-void iterate_7_rambla(benchmark::State& state) {
-    World world;
+void iterate_7(benchmark::State& state, const WorldOptions& options) {
+    World world{options};
     churn(world, static_cast<std::size_t>(state.range(0)));
     Query<Position, Velocity, Travelled, const Force, const Mass, const Drag, const Wind> query;
     for (auto _ : state) {
@@ -190,6 +190,16 @@ void iterate_7_rambla(benchmark::State& state) {
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void iterate_7_rambla(benchmark::State& state) {
+    iterate_7(state, {});
+}
+
+/// With each archetype's columns side by side in one block, instead of in ranges of address space of their
+/// own.
+void iterate_7_blocks(benchmark::State& state) {
+    iterate_7(state, {.reserve_address_space = false});
 }
 
 /// All that a walk costs apart from its rows.
@@ -209,6 +219,8 @@ BENCHMARK(iterate_bare)->Name("iterate_2/bare")->Arg(10'000)->Arg(100'000)->Arg(
 BENCHMARK(iterate_rambla)->Name("iterate_2/rambla")->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
 BENCHMARK(iterate_7_bare)->Name("iterate_7_churned/bare")->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
 BENCHMARK(iterate_7_rambla)->Name("iterate_7_churned/rambla")->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
+BENCHMARK(iterate_7_bare)->Name("iterate_7_blocks/bare")->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
+BENCHMARK(iterate_7_blocks)->Name("iterate_7_blocks/rambla")->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
 BENCHMARK(query_one_rambla)->Name("query_one/rambla")->Arg(1);
 
 }  // namespace

@@ -83,17 +83,18 @@ TEST(ReservedMemory, BeginsAtThePageThatWasChosen) {
 TEST(ReservedMemory, GivesBackAllThatItReservedAlsoAfterMoves) {
     if (!ReservedMemory::grows_in_place) GTEST_SKIP() << "nothing is reserved on this system";
     const std::size_t before = mapped_bytes();
-    {
-        ReservedMemory one{k_gibibyte, 300};
-        ReservedMemory other{k_gibibyte, 5};
+    for (std::size_t i = 0; i < 64; ++i) {
+        ReservedMemory one{k_gibibyte, 256 + i};
+        ReservedMemory other{k_gibibyte, 255 - i};
         EXPECT_GE(mapped_bytes(), before + 2 * k_gibibyte);
         ReservedMemory moved{std::move(one)};
         moved.commit(100);
         other = std::move(moved);
-        EXPECT_LT(mapped_bytes(), before + 2 * k_gibibyte);
         EXPECT_GE(other.committed_bytes(), 100u);
     }
-    EXPECT_LT(mapped_bytes(), before + (1u << 20u)) << "less than a table's pages is left of what was spare";
+    // Were only 192 of the 512 spare pages forgotten each time, 48 MiB would be left. The heap may have
+    // grown.
+    EXPECT_LT(mapped_bytes(), before + (16u << 20u));
 }
 
 TEST(ReservedMemory, RefusesMoreThanWasReservedAndStaysAsItIs) {
