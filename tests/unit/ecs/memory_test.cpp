@@ -47,8 +47,10 @@ TEST(ReservedMemory, IsAlignedForColumns) {
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(memory.data()) % 64, 0u);
 }
 
+const std::size_t k_page_bytes = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+
 std::size_t page_in_table(const ReservedMemory& memory) {
-    return reinterpret_cast<std::uintptr_t>(memory.data()) / 4096 % ReservedMemory::k_pages_per_table;
+    return reinterpret_cast<std::uintptr_t>(memory.data()) / k_page_bytes % ReservedMemory::k_pages_per_table;
 }
 
 /// Of address space, by this process.
@@ -64,7 +66,7 @@ std::size_t mapped_bytes() {
 }
 
 TEST(ReservedMemory, BeginsAtThePageThatWasChosen) {
-    if (!ReservedMemory::grows_in_place || sysconf(_SC_PAGESIZE) != 4096) GTEST_SKIP() << "written for 4 KiB";
+    if (!ReservedMemory::grows_in_place) GTEST_SKIP() << "nothing is reserved on this system";
     for (const std::size_t page : {0u, 1u, 37u, 511u}) {
         ReservedMemory memory{k_gibibyte, page};
         EXPECT_EQ(page_in_table(memory), page);
@@ -72,8 +74,8 @@ TEST(ReservedMemory, BeginsAtThePageThatWasChosen) {
         memory.commit(memory.reserved_bytes() - 1);  // the last page is its own
         memory.data()[k_gibibyte - 1] = std::byte{1};
         EXPECT_THROW(memory.commit(k_gibibyte + 1), CapacityExceeded);
-        memory.decommit(5000);
-        EXPECT_EQ(memory.committed_bytes(), 8192u);
+        memory.decommit(k_page_bytes + 1);
+        EXPECT_EQ(memory.committed_bytes(), 2 * k_page_bytes);
         memory.commit(k_gibibyte);
         EXPECT_EQ(memory.data()[k_gibibyte - 1], std::byte{0});
     }

@@ -182,8 +182,8 @@ TEST_F(TextureResidencyTest, StaysAtTheLevelItHasWhenFinerOnesCannotBeHad) {
     EXPECT_EQ(images.source->asked(), 2u) << "it is not asked for again";
 }
 
-// The first and the second fill the budget. The first is needed less then, the second not at all, and when that
-// is no news any more, the third is needed.
+// The first and the second fill the budget. The first is needed less then, the second not at all, and when
+// that is no news any more, the third is needed.
 TEST_F(TextureResidencyTest, NeverTakesAwayWhatIsNeededWhileOthersAreNot) {
     Images images{{noise_texture(512, 512, 1), noise_texture(512, 512, 2), noise_texture(512, 544, 3)}};
     const TextureParameters parameters{
