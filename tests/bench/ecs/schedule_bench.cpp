@@ -1,8 +1,11 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <thread>
 #include <vector>
@@ -166,23 +169,134 @@ void parallel_rambla(benchmark::State& state, std::size_t threads) {
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
+/// The same as plain arrays.
+struct Bodies {
+    explicit Bodies(std::size_t rows)
+        : position(rows), velocity(rows), force(rows), mass(rows), heat(rows), age(rows), drag(rows) {}
+
+    void advance_rows(std::size_t first, std::size_t count) {
+        const auto part = [&](auto& column) {
+            return std::span{column}.subspan(first, count);
+        };
+        advance(part(position), part(velocity), part(force), part(mass), part(heat), part(age), part(drag));
+    }
+
+    std::vector<Position> position;
+    std::vector<Velocity> velocity;
+    std::vector<Force> force;
+    std::vector<Mass> mass;
+    std::vector<Heat> heat;
+    std::vector<Age> age;
+    std::vector<Drag> drag;
+};
+
 void parallel_bare(benchmark::State& state) {
     const auto rows = static_cast<std::size_t>(state.range(0));
-    std::vector<Position> position(rows);
-    std::vector<Velocity> velocity(rows);
-    std::vector<Force> force(rows);
-    std::vector<Mass> mass(rows);
-    std::vector<Heat> heat(rows);
-    std::vector<Age> age(rows);
-    std::vector<Drag> drag(rows);
+    Bodies bodies{rows};
     for (auto _ : state) {
-        advance(position, velocity, force, mass, heat, age, drag);
+        bodies.advance_rows(0, rows);
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
+/// A second thread that watches for work without a pause, so that nothing has to be woken: the most that two
+/// threads can gain here.
+class SecondThread {
+public:
+    SecondThread()
+        : thread_{[this] {
+              serve();
+          }} {}
+    ~SecondThread() {
+        work_ = nullptr;
+        asked_.fetch_add(1, std::memory_order_release);
+        thread_.join();
+    }
+    SecondThread(const SecondThread&) = delete;
+    SecondThread& operator=(const SecondThread&) = delete;
+
+    /// Runs f on both threads and waits for both.
+    void run_twice(const std::function<void()>& f) {
+        work_ = &f;
+        const std::uint64_t round = asked_.fetch_add(1, std::memory_order_release) + 1;
+        f();
+        watch([&] { return answered_.load(std::memory_order_acquire) == round; });
+    }
+
+private:
+    void serve() {
+        for (std::uint64_t round = 1;; ++round) {
+            watch([&] { return asked_.load(std::memory_order_acquire) >= round; });
+            if (work_ == nullptr) return;
+            (*work_)();
+            answered_.store(round, std::memory_order_release);
+        }
+    }
+
+    const std::function<void()>* work_ = nullptr;
+    std::atomic<std::uint64_t> asked_{0};
+    std::atomic<std::uint64_t> answered_{0};
+    std::thread thread_;
+};
+
+void parallel_bare_2threads(benchmark::State& state) {
+    const auto rows = static_cast<std::size_t>(state.range(0));
+    const std::size_t block = rows / 16;
+    Bodies bodies{rows};
+    SecondThread second;
+    for (auto _ : state) {
+        std::atomic<std::size_t> next{0};
+        second.run_twice([&] {
+            for (std::size_t i; (i = next.fetch_add(block, std::memory_order_relaxed)) < rows;)
+                bodies.advance_rows(i, std::min(block, rows - i));
+        });
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+/// Keeps a core's units for arithmetic busy without touching memory.
+void exercise(std::size_t rounds) {
+    constexpr std::size_t k_lanes = 64;
+    std::array<float, k_lanes> value{};
+    for (std::size_t round = 0; round < rounds; ++round) {
+        for (std::size_t lane = 0; lane < k_lanes; ++lane)
+            value[lane] = value[lane] * 0.999f + 0.5f;
+        benchmark::DoNotOptimize(value);
+    }
+}
+
+constexpr std::size_t k_rounds = 100'000;
+
+void cores_bare(benchmark::State& state) {
+    for (auto _ : state)
+        exercise(k_rounds);
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(k_rounds));
+}
+
+/// What two of this machine's processors are worth: half the time where each is a core of its own, hardly
+/// less than one takes where both are threads of one core, or are lent out.
+void cores_rambla_2threads(benchmark::State& state) {
+    Team team;
+    team.resize(2);
+    team.enter([&] {
+        for (auto _ : state)
+            team.for_ranges(k_rounds, k_rounds / 16,
+                            [](std::size_t begin, std::size_t end) { exercise(end - begin); });
+    });
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(k_rounds));
+}
+
+BENCHMARK(cores_bare)->Name("cores/bare/2")->UseRealTime();
+BENCHMARK(cores_rambla_2threads)->Name("cores/rambla_2threads/2")->UseRealTime();
 BENCHMARK(parallel_bare)->Name("parallel/bare")->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->UseRealTime();
+BENCHMARK(parallel_bare_2threads)
+    ->Name("parallel/bare_2threads")
+    ->Arg(10'000)
+    ->Arg(100'000)
+    ->Arg(1'000'000)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(parallel_rambla, one, std::size_t{1})
     ->Name("parallel/rambla")
     ->Arg(10'000)
