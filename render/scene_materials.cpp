@@ -20,8 +20,8 @@ shared::UvTransform shader_transform(const assets::TextureSlot& slot) {
 }
 
 /// The textures that a material binds, in the order of the units.
-std::array<BoundTexture, 5> bound_textures(const assets::Material& material, const SceneTextures& textures) {
-    std::array<BoundTexture, 5> bound;
+std::array<BoundTexture, 7> bound_textures(const assets::Material& material, const SceneTextures& textures) {
+    std::array<BoundTexture, 7> bound;
     const auto set = [&](std::size_t unit, const assets::TextureSlot& slot, const BoundTexture& neutral) {
         bound[unit] = slot.texture < textures.textures.size() ? textures.textures[slot.texture] : neutral;
     };
@@ -30,10 +30,12 @@ std::array<BoundTexture, 5> bound_textures(const assets::Material& material, con
     set(UNIT_NORMAL, material.normal_texture, textures.flat_normal);
     set(UNIT_OCCLUSION, material.occlusion_texture, textures.white);
     set(UNIT_EMISSIVE, material.emissive_texture, textures.white);
+    set(UNIT_SPECULAR, material.specular_texture, textures.white);
+    set(UNIT_SPECULAR_COLOUR, material.specular_colour_texture, textures.white);
     return bound;
 }
 
-void add_slots(SceneMaterials& result, const std::array<BoundTexture, 5>& bound) {
+void add_slots(SceneMaterials& result, const std::array<BoundTexture, 7>& bound) {
     const auto material = static_cast<std::uint32_t>(result.slots.size());
     MaterialSlots& slots = result.slots.emplace_back();
     for (std::uint32_t unit = 0; unit < bound.size(); ++unit) {
@@ -51,13 +53,18 @@ bool lacks_normal_z(const assets::ProcessedScene& scene, const assets::Material&
     return image.normal_map && image.swizzle[2] == assets::ChannelSource::one;
 }
 
-/// Specular reflectance at normal incidence of what is no metal: KHR_materials_ior and
-/// KHR_materials_specular. The G-buffer keeps one number, so that a coloured reflection becomes a grey one of
-/// the same luminance.
-float dielectric_f0(const assets::Material& m) {
+/// Specular reflectance at normal incidence of what is no metal, before textures: KHR_materials_ior and
+/// KHR_materials_specular.
+glm::vec3 reflectance(const assets::Material& m) {
     const float root = m.ior == 0.0f ? 1.0f : (m.ior - 1.0f) / (m.ior + 1.0f);
-    const float colour = glm::dot(m.specular_colour, glm::vec3{0.2126f, 0.7152f, 0.0722f});
-    return std::min(root * root * colour, 1.0f) * m.specular;
+    return root * root * m.specular_colour;
+}
+
+/// The same where there are no textures. The G-buffer keeps one number, so that a coloured reflection becomes
+/// a grey one of the same luminance.
+float dielectric_f0(const assets::Material& m) {
+    const glm::vec3 f0 = glm::min(reflectance(m), glm::vec3{1.0f});
+    return glm::dot(f0, glm::vec3{0.2126f, 0.7152f, 0.0722f}) * m.specular;
 }
 
 }  // namespace
@@ -78,11 +85,14 @@ shared::Material shader_material(const assets::Material& m, bool normal_z_is_mis
             .alpha_mode = static_cast<std::uint32_t>(m.alpha_mode),
             .dielectric_f0 = dielectric_f0(m),
             .padding1 = 0,
+            .specular = glm::vec4{reflectance(m), m.specular},
             .base_colour_uv = shader_transform(m.base_colour_texture),
             .metalness_roughness_uv = shader_transform(m.metalness_roughness_texture),
             .normal_uv = shader_transform(m.normal_texture),
             .occlusion_uv = shader_transform(m.occlusion_texture),
-            .emissive_uv = shader_transform(m.emissive_texture)};
+            .emissive_uv = shader_transform(m.emissive_texture),
+            .specular_uv = shader_transform(m.specular_texture),
+            .specular_colour_uv = shader_transform(m.specular_colour_texture)};
 }
 
 SceneMaterials upload_materials(const assets::ProcessedScene& scene, const SceneTextures& textures) {

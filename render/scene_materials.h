@@ -11,10 +11,10 @@
 
 namespace rambla::render {
 
-/// Names to bind for one material, in the order of the units UNIT_BASE_COLOUR … UNIT_EMISSIVE.
+/// Names to bind for one material, in the order of the units UNIT_BASE_COLOUR … UNIT_SPECULAR_COLOUR.
 struct MaterialSlots {
-    std::array<GLuint, 5> textures{};
-    std::array<GLuint, 5> samplers{};
+    std::array<GLuint, 7> textures{};
+    std::array<GLuint, 7> samplers{};
 };
 
 /// Where an image is bound.

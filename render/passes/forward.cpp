@@ -37,6 +37,7 @@ void ForwardPass::add(RenderGraph& graph, FrameResources& resources) {
                          .morphed = pipeline.morphed,
                          .shadowed = shadowed,
                          .wide_filter = shadowed && settings.shadows.taps == ShadowTaps::sixteen,
+                         .specular = has_specular_textures(resources.scene.material(material)),
                          .brdf = settings.brdf.model});
                 });
         });

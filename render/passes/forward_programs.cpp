@@ -15,7 +15,7 @@ const gl::Program& ForwardPrograms::get(Variant v) {
     const std::size_t index = (v.blended ? 1u : 0u) | (v.masked ? 2u : 0u) | (v.detailed ? 4u : 0u) |
                               (v.emissive ? 8u : 0u) | (v.skinned ? 16u : 0u) | (v.morphed ? 32u : 0u) |
                               (v.shadowed ? 64u : 0u) | (v.wide_filter ? 128u : 0u) |
-                              static_cast<std::size_t>(v.brdf) << 8u;
+                              (v.specular ? 256u : 0u) | static_cast<std::size_t>(v.brdf) << 9u;
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = v.blended ? "blend" : "forward",
                                            .vertex = "mesh.vert.glsl",
@@ -25,6 +25,7 @@ const gl::Program& ForwardPrograms::get(Variant v) {
                                                        {"ALPHA_MASK", flag(v.masked)},
                                                        {"DETAIL", flag(v.detailed)},
                                                        {"EMISSION", flag(v.emissive)},
+                                                       {"SPECULAR", flag(v.specular)},
                                                        {"SKINNED", flag(v.skinned)},
                                                        {"MORPHED", flag(v.morphed)},
                                                        {"SHADOW_MAP", flag(v.shadowed)},

@@ -20,6 +20,7 @@ public:
         bool morphed = false;
         bool shadowed = false;
         bool wide_filter = false;
+        bool specular = false;
         Brdf brdf = Brdf::ggx;
     };
 
@@ -29,7 +30,7 @@ public:
 
 private:
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, std::size_t{256} * k_brdf_models.size()> variants_{};
+    std::array<const gl::Program*, std::size_t{512} * k_brdf_models.size()> variants_{};
 };
 
 }  // namespace rambla::render

@@ -10,6 +10,11 @@ bool has_detail(const assets::Material& material) {
            material.occlusion_texture.texture != assets::k_none;
 }
 
+bool has_specular_textures(const assets::Material& material) {
+    return material.specular_texture.texture != assets::k_none ||
+           material.specular_colour_texture.texture != assets::k_none;
+}
+
 GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {
     for (const bool masked : {false, true}) {
         for (const bool detailed : {false, true})
@@ -20,7 +25,7 @@ GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {
 const gl::Program& GBufferPass::program(Variant variant) {
     const std::size_t index = (variant.masked ? 1u : 0u) | (variant.detailed ? 2u : 0u) |
                               (variant.emissive ? 4u : 0u) | (variant.skinned ? 8u : 0u) |
-                              (variant.morphed ? 16u : 0u);
+                              (variant.morphed ? 16u : 0u) | (variant.specular ? 32u : 0u);
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = "gbuffer",
                                            .vertex = "mesh.vert.glsl",
@@ -29,6 +34,7 @@ const gl::Program& GBufferPass::program(Variant variant) {
                                            .defines = {{"ALPHA_MASK", variant.masked ? "1" : "0"},
                                                        {"DETAIL", variant.detailed ? "1" : "0"},
                                                        {"EMISSION", variant.emissive ? "1" : "0"},
+                                                       {"SPECULAR", variant.specular ? "1" : "0"},
                                                        {"SKINNED", variant.skinned ? "1" : "0"},
                                                        {"MORPHED", variant.morphed ? "1" : "0"}}});
     }
@@ -68,7 +74,8 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
                          .detailed = has_detail(resources.scene.material(material)),
                          .emissive = emissive,
                          .skinned = pipeline.skinned,
-                         .morphed = pipeline.morphed});
+                         .morphed = pipeline.morphed,
+                         .specular = has_specular_textures(resources.scene.material(material))});
                 });
         });
 }

@@ -24,14 +24,17 @@ private:
         bool emissive = false;
         bool skinned = false;
         bool morphed = false;
+        bool specular = false;
     };
     [[nodiscard]] const gl::Program& program(Variant variant);
 
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, 32> variants_{};
+    std::array<const gl::Program*, 64> variants_{};
 };
 
 /// Whether a material needs the DETAIL variant of shaders/material.glsl.
 [[nodiscard]] bool has_detail(const assets::Material& material);
+/// Whether it needs the SPECULAR variant.
+[[nodiscard]] bool has_specular_textures(const assets::Material& material);
 
 }  // namespace rambla::render

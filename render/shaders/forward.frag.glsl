@@ -45,7 +45,7 @@ void main() {
     normal = kept_normal(normal);
     vec3 kept = kept_surface(sample_surface(m));
     Surface s = make_surface(normal, kept_albedo(base.rgb), kept.x, kept.y, kept.z,
-                             kept_reflectance(m.dielectric_f0));
+                             kept_reflectance(sample_dielectric_f0(m)));
     vec3 to_eye = direction_to_eye(varyings.position);
     float distance_m = dot(varyings.position, -frame.world_from_view[2].xyz);
 

@@ -18,7 +18,7 @@ void main() {
     vec3 normal = surface_normal(m);
     bool unlit = (m.flags & k_material_unlit) != 0u;
     vec3 surface = sample_surface(m);
-    out_albedo = vec4(unlit ? vec3(0.0) : stored_albedo(base.rgb), unlit ? k_unlit : stored_reflectance(m.dielectric_f0));
+    out_albedo = vec4(unlit ? vec3(0.0) : stored_albedo(base.rgb), unlit ? k_unlit : stored_reflectance(sample_dielectric_f0(m)));
     out_normal = stored_normal(normal);
     out_surface = vec4(surface, 0.0);
 #if EMISSION

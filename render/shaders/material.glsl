@@ -2,8 +2,10 @@
 // all:
 //   DETAIL    1: normal, metalness-roughness and occlusion textures, 0: base colour only
 //   EMISSION  1: emissive texture
+//   SPECULAR  1: textures of a dielectric's reflection
 #include "frame.glsl"
 #include "scene_buffers.glsl"
+#include "colour.glsl"
 
 #define VARYING in
 #include "mesh_varyings.glsl"
@@ -13,6 +15,8 @@ layout(binding = UNIT_METALNESS_ROUGHNESS) uniform sampler2D metalness_roughness
 layout(binding = UNIT_NORMAL) uniform sampler2D normal_texture;
 layout(binding = UNIT_OCCLUSION) uniform sampler2D occlusion_texture;
 layout(binding = UNIT_EMISSIVE) uniform sampler2D emissive_texture;
+layout(binding = UNIT_SPECULAR) uniform sampler2D specular_texture;
+layout(binding = UNIT_SPECULAR_COLOUR) uniform sampler2D specular_colour_texture;
 
 vec4 sample_base_colour(Material m) {
     return m.base_colour * varyings.colour * texture(base_colour_texture, varyings.base_colour_uv);
@@ -78,4 +82,14 @@ vec3 sample_emission(Material m) {
     emission *= texture(emissive_texture, varyings.emissive_uv).rgb;
 #endif
     return emission;
+}
+
+/// KHR_materials_specular: what a dielectric reflects at normal incidence, as grey of the same luminance.
+float sample_dielectric_f0(Material m) {
+#if SPECULAR
+    vec3 f0 = min(m.specular.rgb * texture(specular_colour_texture, varyings.specular_colour_uv).rgb, 1.0);
+    return luminance(f0) * m.specular.a * texture(specular_texture, varyings.specular_uv).a;
+#else
+    return m.dielectric_f0;
+#endif
 }

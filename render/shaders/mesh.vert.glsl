@@ -47,4 +47,8 @@ void main() {
 #if EMISSION
     varyings.emissive_uv = transformed_uv(m.emissive_uv, uv0, uv1);
 #endif
+#if SPECULAR
+    varyings.specular_uv = transformed_uv(m.specular_uv, uv0, uv1);
+    varyings.specular_colour_uv = transformed_uv(m.specular_colour_uv, uv0, uv1);
+#endif
 }

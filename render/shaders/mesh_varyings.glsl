@@ -18,4 +18,8 @@ VARYING MeshVaryings {
 #if EMISSION
     vec2 emissive_uv;
 #endif
+#if SPECULAR
+    vec2 specular_uv;
+    vec2 specular_colour_uv;
+#endif
 } varyings;

@@ -179,6 +179,39 @@ TEST(Normals, OfMirroredAndScaledThingsPointOutwards) {
     // A roof of two slopes: mirrored in x, its left slope becomes its right one.
     assets::Mesh slope;
     const glm::vec3 normal = glm::normalize(glm::vec3{1, 0, 1});
+TEST(SkyLight, IsMirroredAsTheSpecularTexturesSay) {
+    for (const render::LightingPath path : {render::LightingPath::clustered, render::LightingPath::forward}) {
+        Stage stage;
+        stage.settings.lighting.path = path;
+        stage.frame.environment.sky_zenith_radiance = glm::vec3{1.0f};
+        stage.frame.environment.sky_horizon_radiance = glm::vec3{1.0f};
+        stage.frame.environment.ground_radiance = glm::vec3{1.0f};
+        assets::Material black = matte(glm::vec3{0.0f});
+        black.roughness = 0.05f;
+        black.ior = 2.0f;
+        black.specular = 0.5f;
+        black.specular_colour = {4.0f, 18.0f, 0.0f};  // green: more than everything, before its texture
+        // Only the alpha of the one counts, and only the colours of the other: left and right, above and
+        // below.
+        black.specular_texture = stage.texture(2, 1, {{0, 0, 0, 255}, {255, 255, 255, 102}});
+        black.specular_colour_texture =
+            stage.texture(1, 2, {{255, 255, 255, 0}, {0, 0, 255, 255}}, assets::ColourSpace::srgb);
+        black.specular_colour_texture.scale = {1.0f, -1.0f};  // turned over, by its transform alone
+        stage.place(stage.square(), stage.material(black));
+        const Picture picture = stage.draw();
+        const auto at = [&](glm::vec3 world) {
+            const glm::uvec2 p{stage.pixel_of(world)};
+            return picture.radiance(p.x, p.y).x;
+        };
+        // Red is 4/9 and green ends at 1: their luminance. Tolerances as for factors.
+        const float f0 = 0.5f * (0.2126f * 4.0f / 9.0f + 0.7152f);
+        EXPECT_NEAR(at({-0.1f, -0.1f, 0.0f}), f0, 0.02f);
+        EXPECT_NEAR(at({0.1f, -0.1f, 0.0f}), 0.4f * f0, 0.01f);
+        EXPECT_EQ(at({-0.1f, 0.1f, 0.0f}), 0.0f) << "a blue texture, and no blue in the factor";
+        EXPECT_EQ(at({0.1f, 0.1f, 0.0f}), 0.0f);
+    }
+}
+
     slope.positions = {{0, -1, 0}, {1, -1, -1}, {1, 1, -1}, {0, 1, 0}};
     slope.normals.assign(4, normal);
     slope.indices = {0, 1, 2, 0, 2, 3};

@@ -28,17 +28,21 @@ struct Material {
     float occlusion_strength;
     uint flags;           // k_material_…
     uint alpha_mode;      // assets::AlphaMode
-    float dielectric_f0;  // what it reflects at normal incidence where it is no metal
+    float dielectric_f0;  // what it reflects at normal incidence where it is no metal and has no specular
+                          // textures
     uint padding1;
+    vec4 specular;  // rgb reflectance at normal incidence, may exceed 1 before textures; a: strength
     UvTransform base_colour_uv;
     UvTransform metalness_roughness_uv;
     UvTransform normal_uv;
     UvTransform occlusion_uv;
     UvTransform emissive_uv;
+    UvTransform specular_uv;
+    UvTransform specular_colour_uv;
 };
 SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(rambla::render::shared::Material) == 224);
+static_assert(sizeof(rambla::render::shared::Material) == 304);
 #endif
 #endif

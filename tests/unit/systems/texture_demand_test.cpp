@@ -245,6 +245,20 @@ TEST(TextureDemand, CountsRepeatsOfTheTextureTransform) {
     EXPECT_EQ(textured.demand(eye_of({640, 480})), once + 2);
 }
 
+TEST(TextureDemand, IsThatOfEverySlotThatShadersSample) {
+    using assets::Material;
+    Textured textured{square()};
+    textured.place(glm::mat3{1.0f}, {0, 0, -50});
+    const int expected = textured.demand(eye_of({640, 480}));
+    for (const auto slot :
+         {&Material::metalness_roughness_texture, &Material::normal_texture, &Material::occlusion_texture,
+          &Material::emissive_texture, &Material::specular_texture, &Material::specular_colour_texture}) {
+        textured.processed.materials[0] = {};
+        (textured.processed.materials[0].*slot).texture = 0;
+        EXPECT_EQ(textured.demand(eye_of({640, 480})), expected);
+    }
+}
+
 TEST(TextureDemand, OfOrthographicViewsDoesNotDependOnDistance) {
     for (const float distance_m : {3.0f, 500.0f}) {
         Textured textured{square()};
