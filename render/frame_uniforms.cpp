@@ -27,8 +27,8 @@ shared::FrameUniforms make_frame_uniforms(const systems::Frame& frame, float exp
     u.exposure = glm::vec4{exposure, 1.0f / exposure, 0.0f, 0.0f};
     u.eye_cell = glm::vec4{glm::vec3{view.eye_cell}, 0.0f};
     u.eye_local_m = glm::vec4{view.eye_local_m, static_cast<float>(frame.time_s)};
-    u.counts =
-        glm::uvec4{static_cast<std::uint32_t>(frame.lights.size()), view.orthographic ? 1u : 0u, 0u, 0u};
+    u.counts = glm::uvec4{static_cast<std::uint32_t>(frame.lights.size()), view.orthographic ? 1u : 0u,
+                          static_cast<std::uint32_t>(frame.directional_lights.size()), 0u};
     return u;
 }
 

@@ -254,7 +254,8 @@ void Renderer::State::bind_frame(const systems::Frame& frame, float exposure) {
     stream.upload(std::span<const systems::MorphTerm>{frame.morphs})
         .bind(GL_SHADER_STORAGE_BUFFER, BINDING_MORPH_TERMS);
     scene.morphs().bind(GL_SHADER_STORAGE_BUFFER, BINDING_MORPHS);
-    stream.upload(std::span<const systems::FrameLight>{frame.lights})
+    using Lights = std::span<const systems::FrameLight>;
+    stream.upload(Lights{frame.lights}, Lights{frame.directional_lights})
         .bind(GL_SHADER_STORAGE_BUFFER, BINDING_LIGHTS);
 }
 

@@ -77,6 +77,12 @@ struct LocalLight {
     float cos_outer = -2.0f;  ///< −2: a point light
 };
 
+/// Parallel light that shines along −Z of its entity, everywhere and without shadows: fill light, or a second
+/// sun. The sun that throws shadows is another thing, see Sunlight.
+struct DirectionalLight {
+    glm::vec3 illuminance{1.0f};  ///< π lights white to radiance 1
+};
+
 /// Resource: sun and sky of the world.
 struct Sunlight {
     assets::Environment environment;

@@ -140,6 +140,8 @@ struct Frame {
     std::vector<DrawBatch> blended;  ///< back to front
     CasterColumns casters;
     std::vector<FrameLight> lights;
+    /// Parallel light without shadows: the intensity is the illuminance, place, radius and cone do not count.
+    std::vector<FrameLight> directional_lights;
     assets::Bounds visible;  ///< around all that `opaque` and `blended` show; empty if that is nothing
     /// For each of ProcessedScene::images the finest mip level that the picture can need, or k_not_demanded;
     /// empty: nothing is known of that, and textures stay as they are.

@@ -20,11 +20,14 @@ void cull_all(ecs::World& world, ecs::Res<Look> look, ecs::ResMut<Culling> culli
 /// With what it keeps between Frames.
 struct FindLights {
     LightSearch search;
+    DirectionalLightSearch search_directional;
 
     void operator()(ecs::World& world, ecs::Res<Look> look, ecs::ResMut<FrameUnderWork> work) {
         Frame& frame = *work->frame;
-        frame.counts.lights = search(world, look->observer, look->camera, frame.lights);
-        frame.counts.visible_lights = static_cast<std::uint32_t>(frame.lights.size());
+        frame.counts.lights = search(world, look->observer, look->camera, frame.lights) +
+                              search_directional(world, look->observer, frame.directional_lights);
+        frame.counts.visible_lights =
+            static_cast<std::uint32_t>(frame.lights.size() + frame.directional_lights.size());
     }
 };
 
@@ -57,7 +60,8 @@ Looking make_looking() {
     ecs::Schedule& schedule = *looking.schedule;
     schedule.add("culling", cull_all)
         .reads<WorldTransform, PreviousWorldTransform, Renderable, LocalBounds, Skinned, Morphed>();
-    schedule.add("lights", FindLights{}).reads<WorldTransform, PreviousWorldTransform, LocalLight>();
+    schedule.add("lights", FindLights{})
+        .reads<WorldTransform, PreviousWorldTransform, LocalLight, DirectionalLight>();
     schedule.add("packing", Pack{})
         .after("culling")
         .after("lights")

@@ -78,6 +78,12 @@ struct reflection<LocalLight> {
             .field("cos_outer", &LocalLight::cos_outer, {.min = -2.0, .max = 1.0});
 };
 template <>
+struct reflection<DirectionalLight> {
+    static constexpr auto value =
+        describe<DirectionalLight>("directional_light")
+            .field("illuminance", &DirectionalLight::illuminance, {.unit = "illuminance", .min = 0.0});
+};
+template <>
 struct reflection<PathLeg> {
     static constexpr auto value = describe<PathLeg>("path_leg")
                                       .field("link", &PathLeg::link)
@@ -214,6 +220,7 @@ ecs::TypeRegistry component_registry() {
     registry.add<LocalBounds>();
     registry.add<NoShadow>();
     registry.add<LocalLight>();
+    registry.add<DirectionalLight>();
     registry.add<PathFollower>();
     registry.add<Mover>();
     registry.add<Gait>();

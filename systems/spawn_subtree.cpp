@@ -229,8 +229,7 @@ private:
             return;
         }
         if (sun_found_) {
-            spdlog::warn("scene '{}': directional light '{}' is left out: the sun is another one",
-                         scene_.name, light.name);
+            world_.add(entity, DirectionalLight{light.colour * light.intensity});
             return;
         }
         const glm::dvec3 to_sun = placement.linear[2];

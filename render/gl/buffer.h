@@ -72,10 +72,12 @@ public:
     };
     [[nodiscard]] Allocation allocate(std::size_t bytes);
 
+    /// @param more  follows the values
     template <class T>
-    [[nodiscard]] BufferRange upload(std::span<const T> values) {
-        const Allocation a = allocate(values.size_bytes());
+    [[nodiscard]] BufferRange upload(std::span<const T> values, std::span<const T> more = {}) {
+        const Allocation a = allocate(values.size_bytes() + more.size_bytes());
         if (!values.empty()) std::memcpy(a.data, values.data(), values.size_bytes());
+        if (!more.empty()) std::memcpy(a.data + values.size_bytes(), more.data(), more.size_bytes());
         return a.range;
     }
     template <class T>

@@ -50,7 +50,7 @@ void main() {
     float distance_m = dot(varyings.position, -frame.world_from_view[2].xyz);
 
     vec3 radiance = sky_light(s, to_eye) + sun_light(s, to_eye, sun_reaches(normal)) +
-                    local_lights(s, varyings.position, to_eye, distance_m);
+                    directional_lights(s, to_eye) + local_lights(s, varyings.position, to_eye, distance_m);
     bool unlit = (m.flags & k_material_unlit) != 0u;
     radiance = unlit ? vec3(0.0) : radiance;
 #if EMISSION

@@ -22,6 +22,7 @@ void main() {
     lit = texelFetch(shadow_result, pixel, 0).x;
 #endif
     vec3 radiance = sky_light(p.surface, p.to_eye) + sun_light(p.surface, p.to_eye, lit) +
+                    directional_lights(p.surface, p.to_eye) +
                     local_lights(p.surface, p.position, p.to_eye, p.distance_m);
     radiance = p.lit ? radiance : vec3(0.0);
 #if EMISSION

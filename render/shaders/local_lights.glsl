@@ -1,4 +1,5 @@
-// The sum of the local lights that reach a surface. Define LOCAL_LIGHTS: which ones are asked.
+// The sums of the local and of the directional lights that reach a surface. Define LOCAL_LIGHTS: which local ones are
+// asked.
 #include "local_light.glsl"
 #include "render/shaders/shared/light_cells.h"  // here, since files are included once, be it in a branch that is dropped
 
@@ -13,6 +14,13 @@
 #include "tiles.glsl"
 flat in uvec2 tile_range;
 #endif
+
+vec3 directional_lights(Surface s, vec3 to_eye) {
+    vec3 sum = vec3(0.0);
+    for (uint i = frame.counts.x; i < frame.counts.x + frame.counts.z; ++i)
+        sum += lights[i].intensity_cos_outer.rgb * reflected(s, to_eye, -lights[i].direction_cos_inner.xyz);
+    return sum;
+}
 
 /// @param distance_m  from the eye to the surface, along the view
 vec3 local_lights(Surface s, vec3 position, vec3 to_eye, float distance_m) {

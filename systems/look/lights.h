@@ -16,6 +16,9 @@ namespace rambla::systems {
 /// matter.
 [[nodiscard]] FrameLight frame_light(const LocalLight& light, const Placement& placement);
 
+/// Parallel light as the camera meets it; directions as of local lights.
+[[nodiscard]] FrameLight frame_light(const DirectionalLight& light, const Placement& placement);
+
 /// Finds the local lights whose spheres reach into a volume.
 class LightSearch {
 public:
@@ -26,6 +29,18 @@ public:
 
 private:
     ecs::Query<const WorldTransform, const LocalLight, ecs::Optional<const PreviousWorldTransform>> lights_;
+};
+
+/// Finds the directional lights, which shine wherever one looks.
+class DirectionalLightSearch {
+public:
+    /// Replaces `found`. Lights without illuminance are left out.
+    /// @return  number of directional lights in the world
+    std::uint32_t operator()(ecs::World& world, const Observer& observer, std::vector<FrameLight>& found);
+
+private:
+    ecs::Query<const WorldTransform, const DirectionalLight, ecs::Optional<const PreviousWorldTransform>>
+        lights_;
 };
 
 }  // namespace rambla::systems

@@ -64,6 +64,8 @@ void furnish(Stage& stage) {
     }
     stage.frame.environment = assets::noon();
     stage.frame.environment.sun_illuminance *= 0.1f;
+    for (const glm::vec3 direction : {glm::vec3{0.6f, -0.8f, 0.0f}, glm::vec3{0.0f, -0.6f, -0.8f}})
+        stage.frame.directional_lights.push_back({.intensity = {0.2f, 0.1f, 0.05f}, .direction = direction});
     std::mt19937 random{8};
     std::uniform_real_distribution<float> uniform;
     for (int i = 0; i < 80; ++i) {

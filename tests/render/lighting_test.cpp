@@ -84,6 +84,26 @@ TEST(SunLight, ExposureScalesThePictureButNotTheCapture) {
     EXPECT_GT(exposed.display(64, 64).x, plain.display(64, 64).x + 20);
 }
 
+TEST(DirectionalLights, AddToTheSunOnAllSidesAsTheFormulaSays) {
+    for (const render::LightingPath path : {render::LightingPath::tiled, render::LightingPath::forward}) {
+        Stage stage;
+        stage.settings.lighting.path = path;
+        stage.frame.environment = only_sun({0, 0, -1});  // behind the square
+        stage.place(stage.square(), stage.material(matte(glm::vec3{0.5f})));
+        EXPECT_LT(stage.draw().radiance(64, 64).x, 1e-4f);
+        const glm::vec3 slanted{0.6f, 0.0f, -0.8f};
+        stage.frame.directional_lights = {{.intensity = {k_pi, 0.0f, 0.0f}, .direction = {0, 0, -1}},
+                                          {.intensity = {0.0f, k_pi, 0.0f}, .direction = slanted},
+                                          {.intensity = {0.0f, 0.0f, k_pi}, .direction = {0, 0, 1}}};
+        const glm::vec3 lit = stage.draw().radiance(64, 64);
+        const double albedo = stored_albedo(0.5);
+        const double half = std::sqrt(0.5 * (1.0 + 0.8));  // cosine of half the angle between light and eye
+        EXPECT_NEAR(lit.x, k_pi * rough_dielectric(albedo, 1.0, 1.0, 1.0), 0.002);
+        EXPECT_NEAR(lit.y, k_pi * rough_dielectric(albedo, 0.8, 1.0, half), 0.002);
+        EXPECT_LT(lit.z, 1e-4f) << "from behind";
+    }
+}
+
 TEST(SkyLight, AWhiteThingVanishesInEvenSurroundings) {
     Stage stage;
     const assets::Material m = matte();
@@ -159,26 +179,6 @@ TEST(SkyLight, IsMirroredAsTheIndexOfRefractionAndTheSpecularFactorSay) {
         << "the most that is kept; the fit loses 3 %";
 }
 
-TEST(SkyLight, IsMirroredByGlassAtGrazingAngles) {
-    Stage stage;
-    assets::Material glass = matte(glm::vec3{0.02f});
-    glass.roughness = 0.05f;
-    stage.place(stage.square(), stage.material(glass), glm::scale(glm::mat4{1.0f}, glm::vec3{50.0f}));
-    stage.frame.environment.sky_zenith_radiance = glm::vec3{1.0f};
-    stage.frame.environment.sky_horizon_radiance = glm::vec3{1.0f};
-    stage.look({0, -5, 5}, {0, 0, 0});  // from below: the mirrored ray rises
-    const float steep = stage.draw().radiance(64, 64).x;
-    stage.look({0, -20, 1.5f}, {0, 0, 0});
-    const float grazing = stage.draw().radiance(64, 64).x;
-    EXPECT_LT(steep, 0.12f);
-    EXPECT_GT(grazing, 0.4f);
-}
-
-TEST(Normals, OfMirroredAndScaledThingsPointOutwards) {
-    Stage stage;
-    // A roof of two slopes: mirrored in x, its left slope becomes its right one.
-    assets::Mesh slope;
-    const glm::vec3 normal = glm::normalize(glm::vec3{1, 0, 1});
 TEST(SkyLight, IsMirroredAsTheSpecularTexturesSay) {
     for (const render::LightingPath path : {render::LightingPath::clustered, render::LightingPath::forward}) {
         Stage stage;
@@ -212,6 +212,26 @@ TEST(SkyLight, IsMirroredAsTheSpecularTexturesSay) {
     }
 }
 
+TEST(SkyLight, IsMirroredByGlassAtGrazingAngles) {
+    Stage stage;
+    assets::Material glass = matte(glm::vec3{0.02f});
+    glass.roughness = 0.05f;
+    stage.place(stage.square(), stage.material(glass), glm::scale(glm::mat4{1.0f}, glm::vec3{50.0f}));
+    stage.frame.environment.sky_zenith_radiance = glm::vec3{1.0f};
+    stage.frame.environment.sky_horizon_radiance = glm::vec3{1.0f};
+    stage.look({0, -5, 5}, {0, 0, 0});  // from below: the mirrored ray rises
+    const float steep = stage.draw().radiance(64, 64).x;
+    stage.look({0, -20, 1.5f}, {0, 0, 0});
+    const float grazing = stage.draw().radiance(64, 64).x;
+    EXPECT_LT(steep, 0.12f);
+    EXPECT_GT(grazing, 0.4f);
+}
+
+TEST(Normals, OfMirroredAndScaledThingsPointOutwards) {
+    Stage stage;
+    // A roof of two slopes: mirrored in x, its left slope becomes its right one.
+    assets::Mesh slope;
+    const glm::vec3 normal = glm::normalize(glm::vec3{1, 0, 1});
     slope.positions = {{0, -1, 0}, {1, -1, -1}, {1, 1, -1}, {0, 1, 0}};
     slope.normals.assign(4, normal);
     slope.indices = {0, 1, 2, 0, 2, 3};

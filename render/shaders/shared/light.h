@@ -1,5 +1,5 @@
-// A point or spot light: the image of systems::FrameLight (whose vec3 and float neighbours fill the vec4s
-// here).
+// A light: the image of systems::FrameLight (whose vec3 and float neighbours fill the vec4s here).
+// Directional lights follow the point and spot lights in the buffer.
 #ifndef RAMBLA_SHARED_LIGHT_H
 #define RAMBLA_SHARED_LIGHT_H
 

@@ -133,6 +133,19 @@ TEST(Lights, ThoseWhoseSpheresReachIntoThePictureAreFound) {
     EXPECT_EQ(found[0].direction, glm::vec3(0, 0, -1));
 }
 
+TEST(Lights, DirectionalOnesAreFoundWhereverTheyStand) {
+    ecs::World world;
+    world.create(at({0, 0, 1e6f}), DirectionalLight{{1, 2, 3}});
+    world.create(at({0, 0, -1}), DirectionalLight{{0, 0, 0}});  // dark
+    world.create(at({0, 0, -1}), LocalLight{{1, 1, 1}, 5.0f});
+    DirectionalLightSearch search;
+    std::vector<FrameLight> found{FrameLight{}, FrameLight{}};
+    EXPECT_EQ(search(world, {}, found), 2u);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].intensity, glm::vec3(1, 2, 3));
+    EXPECT_EQ(found[0].direction, glm::vec3(0, 0, -1));
+}
+
 TEST(Lights, DirectionIsAUnitVectorUnderAnyScale) {
     for (const float scale : {1e-30f, 1.0f, 1e30f}) {
         const FrameLight light = frame_light({}, {glm::mat3{scale}, {}});

@@ -135,7 +135,7 @@ TEST(Spawn, LightsReachAsFarAsTheyMatter) {
     EXPECT_EQ(world.get<LocalLight>(spawned.nodes[2]).radius_m, k_light_reach_m);
 }
 
-TEST(Spawn, TheFirstDirectionalLightIsTheSun) {
+TEST(Spawn, TheFirstDirectionalLightIsTheSunAndOthersShineWithoutShadows) {
     assets::Scene scene;
     scene.lights = {light("sun", assets::LightKind::directional, {1, 1, 0.5f}, 3.0f),
                     light("other", assets::LightKind::directional, {1, 1, 1}, 9.0f)};
@@ -144,8 +144,10 @@ TEST(Spawn, TheFirstDirectionalLightIsTheSun) {
     for (std::uint32_t light = 0; light < 2; ++light)
         scene.nodes[add_node(scene, k_none, down)].light = light;
     ecs::World world;
-    spawn(world, scene, {});
+    const SpawnedScene spawned = spawn(world, scene, {});
     const assets::Environment& environment = world.resource<Sunlight>().environment;
+    EXPECT_FALSE(world.has<DirectionalLight>(spawned.nodes[0]));
+    EXPECT_EQ(world.get<DirectionalLight>(spawned.nodes[1]).illuminance, glm::vec3(9.0f));
     EXPECT_NEAR(glm::distance(environment.direction_to_sun, glm::vec3(0, 1, 0)), 0.0f, 1e-6f);
     EXPECT_EQ(environment.sun_illuminance, glm::vec3(3, 3, 1.5f));
     EXPECT_EQ(environment.sky_zenith_radiance, assets::noon().sky_zenith_radiance);
