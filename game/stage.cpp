@@ -20,7 +20,10 @@ void take(Stage& stage, systems::SpawnedScene spawned) {
 
 Stage make_stage(const std::string& scene, std::uint64_t seed, assets::TimeOfDay time,
                  const systems::WorldPosition& origin) {
-    assets::Place place = assets::generate_place(scene, seed, time);
+    return make_stage(assets::generate_place(scene, seed, time), seed, origin);
+}
+
+Stage make_stage(assets::Place place, std::uint64_t seed, const systems::WorldPosition& origin) {
     Stage stage;
     stage.world = std::make_unique<ecs::World>();
     take(stage, systems::spawn(*stage.world, place, origin, seed));

@@ -30,6 +30,9 @@ struct Stage {
 [[nodiscard]] Stage make_stage(const std::string& scene, std::uint64_t seed, assets::TimeOfDay time,
                                const systems::WorldPosition& origin);
 
+/// Spawns a place.
+[[nodiscard]] Stage make_stage(assets::Place place, std::uint64_t seed, const systems::WorldPosition& origin);
+
 /// Spawns what a file holds, under the given light; glass is shown by blending.
 [[nodiscard]] Stage make_stage(assets::Scene scene, const assets::Environment& light,
                                const systems::WorldPosition& origin);
