@@ -60,10 +60,12 @@ struct FrameResources {
     TileLists tiles{};     ///< only where lighting goes by tiles, and some light touches the picture
 
     TextureHandle depth{};          ///< GL_DEPTH_COMPONENT32F, reversed
-    TextureHandle albedo{};         ///< G-buffer RT0: GL_RGBA8, sRGB-encoded; alpha: see gbuffer_layout.glsl
-    TextureHandle normal{};         ///< G-buffer RT1: GL_RG16, octahedral
-    TextureHandle surface{};        ///< G-buffer RT2: GL_RGBA8: roughness, metalness, occlusion, reflector id
-    TextureHandle emission{};       ///< G-buffer RT3: GL_R11F_G11F_B10F; only when frame.emissive
+    TextureHandle albedo{};         ///< G-buffer: what it holds is said in gbuffer_layout.glsl
+    TextureHandle normal{};         ///< G-buffer
+    TextureHandle surface{};        ///< G-buffer
+    TextureHandle emission{};       ///< G-buffer; only when frame.emissive
+    TextureHandle position{};       ///< G-buffer; only in the wide layout
+    TextureHandle tangent{};        ///< G-buffer; only in the wide layout
     TextureHandle shadow_map{};     ///< sun, depth, 1 nearest to the sun
     gl::BufferRange sun_shadow{};   ///< shared::SunShadow of shadow_map
     TextureHandle shadow_result{};  ///< sun, GL_R8: 1 lit, 0 in shadow; invalid when shadows are off

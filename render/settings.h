@@ -63,6 +63,19 @@ inline constexpr std::array k_lighting_parameters{
                                             "shaded."),
 };
 
+enum class GBufferLayout : std::uint8_t { compact, wide };
+
+/// How the deferred paths keep what they light.
+struct GBufferParameters {
+    GBufferLayout layout = GBufferLayout::compact;
+};
+inline constexpr std::array<std::string_view, 2> k_gbuffer_layouts{"compact", "wide"};
+inline constexpr std::array k_gbuffer_parameters{
+    parameter<&GBufferParameters::layout>("gbuffer", k_gbuffer_layouts,
+                                          "Bytes with positions from depth, or positions, normals, tangents "
+                                          "and colours as half floats."),
+};
+
 enum class Brdf : std::uint8_t { ggx, blinn, lambert };
 
 /// How surfaces reflect the sun and local lights.
@@ -145,6 +158,7 @@ inline constexpr std::array k_texture_budget_parameters{
 /// All that a user may choose about drawing, read anew for each Frame.
 struct Settings {
     LightingParameters lighting;
+    GBufferParameters gbuffer;
     BrdfParameters brdf;
     ShadowParameters shadows;
     ToneParameters tone;

@@ -1,6 +1,7 @@
 #include "render/passes/gbuffer.h"
 
 #include "render/passes/depth_prepass.h"
+#include "render/shaders/shared/bindings.h"
 
 namespace rambla::render {
 
@@ -15,6 +16,28 @@ bool has_specular_textures(const assets::Material& material) {
            material.specular_colour_texture.texture != assets::k_none;
 }
 
+std::string gbuffer_define(GBufferLayout layout) {
+    return layout == GBufferLayout::wide ? "1" : "0";
+}
+
+void read_gbuffer(PassBuilder& pass, const FrameResources& resources) {
+    for (const TextureHandle target : {resources.depth, resources.albedo, resources.normal, resources.surface,
+                                       resources.position, resources.tangent}) {
+        if (target.valid()) pass.read(target);
+    }
+}
+
+void bind_gbuffer(const PassContext& context, const FrameResources& resources) {
+    const gl::Sampler& nearest = resources.samplers.nearest;
+    context.bind_texture(UNIT_PASS, resources.depth, nearest);
+    context.bind_texture(UNIT_PASS + 1, resources.albedo, nearest);
+    context.bind_texture(UNIT_PASS + 2, resources.normal, nearest);
+    context.bind_texture(UNIT_PASS + 3, resources.surface, nearest);
+    if (!resources.position.valid()) return;
+    context.bind_texture(UNIT_PASS + 6, resources.position, nearest);
+    context.bind_texture(UNIT_PASS + 7, resources.tangent, nearest);
+}
+
 GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {
     for (const bool masked : {false, true}) {
         for (const bool detailed : {false, true})
@@ -25,7 +48,8 @@ GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {
 const gl::Program& GBufferPass::program(Variant variant) {
     const std::size_t index = (variant.masked ? 1u : 0u) | (variant.detailed ? 2u : 0u) |
                               (variant.emissive ? 4u : 0u) | (variant.skinned ? 8u : 0u) |
-                              (variant.morphed ? 16u : 0u) | (variant.specular ? 32u : 0u);
+                              (variant.morphed ? 16u : 0u) | (variant.specular ? 32u : 0u) |
+                              (variant.layout == GBufferLayout::wide ? 64u : 0u);
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = "gbuffer",
                                            .vertex = "mesh.vert.glsl",
@@ -35,6 +59,7 @@ const gl::Program& GBufferPass::program(Variant variant) {
                                                        {"DETAIL", variant.detailed ? "1" : "0"},
                                                        {"EMISSION", variant.emissive ? "1" : "0"},
                                                        {"SPECULAR", variant.specular ? "1" : "0"},
+                                                       {"GBUFFER_WIDE", gbuffer_define(variant.layout)},
                                                        {"SKINNED", variant.skinned ? "1" : "0"},
                                                        {"MORPHED", variant.morphed ? "1" : "0"}}});
     }
@@ -47,24 +72,32 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
         return gl::TextureDesc{.format = format, .size = resources.size_px()};
     };
     const bool emissive = resources.frame.emissive;
+    const GBufferLayout layout = resources.settings.gbuffer.layout;
+    const bool wide = layout == GBufferLayout::wide;
     const bool depth_known = resources.depth.valid();
     graph.add_pass(
         "gbuffer",
         [&](PassBuilder& pass) {
             // Colours are read only where depth says that there is geometry.
-            resources.albedo =
-                pass.write_colour(0, pass.create_texture("albedo", target(GL_RGBA8)), LoadOp::discard);
-            resources.normal =
-                pass.write_colour(1, pass.create_texture("normal", target(GL_RG16)), LoadOp::discard);
+            resources.albedo = pass.write_colour(
+                0, pass.create_texture("albedo", target(wide ? GL_RGBA16F : GL_RGBA8)), LoadOp::discard);
+            resources.normal = pass.write_colour(
+                1, pass.create_texture("normal", target(wide ? GL_RGBA16F : GL_RG16)), LoadOp::discard);
             resources.surface =
                 pass.write_colour(2, pass.create_texture("surface", target(GL_RGBA8)), LoadOp::discard);
             if (emissive) {
                 resources.emission = pass.write_colour(
                     3, pass.create_texture("emission", target(GL_R11F_G11F_B10F)), LoadOp::discard);
             }
+            if (wide) {
+                resources.position = pass.write_colour(4, pass.create_texture("position", target(GL_RGBA16F)),
+                                                       LoadOp::discard);
+                resources.tangent =
+                    pass.write_colour(5, pass.create_texture("tangent", target(GL_RGBA16F)), LoadOp::discard);
+            }
             write_or_test_depth(pass, resources);
         },
-        [this, &resources, emissive, depth_known](PassContext&) {
+        [this, &resources, emissive, layout, depth_known](PassContext&) {
             enable_depth(depth_known);
             resources.counts += resources.opaque.draw(
                 resources.scene,
@@ -75,7 +108,8 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
                          .emissive = emissive,
                          .skinned = pipeline.skinned,
                          .morphed = pipeline.morphed,
-                         .specular = has_specular_textures(resources.scene.material(material))});
+                         .specular = has_specular_textures(resources.scene.material(material)),
+                         .layout = layout});
                 });
         });
 }

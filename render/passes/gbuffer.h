@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "render/gl/program.h"
 #include "render/pass_context.h"
@@ -25,12 +26,21 @@ private:
         bool skinned = false;
         bool morphed = false;
         bool specular = false;
+        GBufferLayout layout = GBufferLayout::compact;
     };
     [[nodiscard]] const gl::Program& program(Variant variant);
 
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, 64> variants_{};
+    std::array<const gl::Program*, 128> variants_{};
 };
+
+/// Value of the shaders' define GBUFFER_WIDE.
+[[nodiscard]] std::string gbuffer_define(GBufferLayout layout);
+
+/// What lighting must know of a pixel, for the set-up of a pass: depth and all targets but emission.
+void read_gbuffer(PassBuilder& pass, const FrameResources& resources);
+/// Binds the same from UNIT_PASS on, as gbuffer_read.glsl has it.
+void bind_gbuffer(const PassContext& context, const FrameResources& resources);
 
 /// Whether a material needs the DETAIL variant of shaders/material.glsl.
 [[nodiscard]] bool has_detail(const assets::Material& material);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "render/passes/gbuffer.h"
 #include "render/shaders/shared/bindings.h"
 
 namespace rambla::render {
@@ -21,15 +22,17 @@ float depth_at(const systems::FrameView& view, float distance_m) {
 LightVolumesPass::LightVolumesPass(gl::ProgramRegistry& programs)
     : programs_{programs}, no_vertices_{"light volumes"} {}
 
-const gl::Program& LightVolumesPass::program(Brdf brdf) {
-    const gl::Program*& variant = variants_[static_cast<std::size_t>(brdf)];
+const gl::Program& LightVolumesPass::program(Brdf brdf, GBufferLayout layout) {
+    const gl::Program*& variant = variants_[static_cast<std::size_t>(brdf) * k_gbuffer_layouts.size() +
+                                            static_cast<std::size_t>(layout)];
     if (variant == nullptr) {
-        variant = &programs_.get(
-            {.name = "light volume",
-             .vertex = "light_volume.vert.glsl",
-             .fragment = "light_volume.frag.glsl",
-             .compute = {},
-             .defines = {{"NEAR_SIDE", "0"}, {"BRDF", std::to_string(static_cast<int>(brdf))}}});
+        variant = &programs_.get({.name = "light volume",
+                                  .vertex = "light_volume.vert.glsl",
+                                  .fragment = "light_volume.frag.glsl",
+                                  .compute = {},
+                                  .defines = {{"NEAR_SIDE", "0"},
+                                              {"GBUFFER_WIDE", gbuffer_define(layout)},
+                                              {"BRDF", std::to_string(static_cast<int>(brdf))}}});
     }
     return *variant;
 }
@@ -61,7 +64,7 @@ void LightVolumesPass::add(RenderGraph& graph, FrameResources& resources) {
     const LightingParameters& parameters = resources.settings.lighting;
     if (parameters.path != LightingPath::volumes || resources.bounded_lights.empty()) return;
     make_rectangles(resources);
-    const gl::Program& light = program(resources.settings.brdf.model);
+    const gl::Program& light = program(resources.settings.brdf.model, resources.settings.gbuffer.layout);
     if (parameters.queries) static_cast<void>(tester());
     const gl::BufferRange range =
         resources.stream.upload(std::span<const shared::LightRectangle>{rectangles_});
@@ -69,18 +72,11 @@ void LightVolumesPass::add(RenderGraph& graph, FrameResources& resources) {
         "light volumes",
         [&](PassBuilder& pass) {
             pass.test_depth(resources.depth);
-            for (const TextureHandle target :
-                 {resources.depth, resources.albedo, resources.normal, resources.surface}) {
-                pass.read(target);
-            }
+            read_gbuffer(pass, resources);
             resources.scene_colour = pass.write_colour(0, resources.scene_colour, LoadOp::load);
         },
         [this, &resources, &light, range, queries = parameters.queries](PassContext& context) {
-            const gl::Sampler& nearest = resources.samplers.nearest;
-            context.bind_texture(UNIT_PASS, resources.depth, nearest);
-            context.bind_texture(UNIT_PASS + 1, resources.albedo, nearest);
-            context.bind_texture(UNIT_PASS + 2, resources.normal, nearest);
-            context.bind_texture(UNIT_PASS + 3, resources.surface, nearest);
+            bind_gbuffer(context, resources);
             range.bind(GL_SHADER_STORAGE_BUFFER, BINDING_PASS_STORAGE);
             no_vertices_.bind();
             glEnable(GL_DEPTH_TEST);

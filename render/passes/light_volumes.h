@@ -25,14 +25,14 @@ public:
     void add(RenderGraph& graph, FrameResources& resources);
 
 private:
-    [[nodiscard]] const gl::Program& program(Brdf brdf);
+    [[nodiscard]] const gl::Program& program(Brdf brdf, GBufferLayout layout);
     [[nodiscard]] const gl::Program& tester();
     void make_rectangles(const FrameResources& resources);
     void test_each();
     void draw_each();
 
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, k_brdf_models.size()> variants_{};
+    std::array<const gl::Program*, k_brdf_models.size() * k_gbuffer_layouts.size()> variants_{};
     const gl::Program* tester_ = nullptr;
     gl::VertexArray no_vertices_;
     std::vector<shared::LightRectangle> rectangles_;

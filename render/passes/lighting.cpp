@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "render/passes/gbuffer.h"
 #include "render/shaders/shared/bindings.h"
 
 namespace rambla::render {
@@ -27,7 +28,8 @@ LightingPass::LocalLights LightingPass::local_lights_of(const FrameResources& re
 const gl::Program& LightingPass::program(Variant v) {
     const std::size_t index = (v.shadowed ? 1u : 0u) + (v.emissive ? 2u : 0u) + (v.tiles ? 4u : 0u) +
                               8u * static_cast<std::size_t>(v.local_lights) +
-                              32u * static_cast<std::size_t>(v.brdf);
+                              32u * static_cast<std::size_t>(v.brdf) +
+                              96u * static_cast<std::size_t>(v.layout);
     const gl::Program*& variant = variants_[index];
     if (variant == nullptr) {
         const bool lamp_lit = v.local_lights == LocalLights::tile;
@@ -38,6 +40,7 @@ const gl::Program& LightingPass::program(Variant v) {
              .compute = {},
              .defines = {{"SHADOW_RESULT", v.shadowed ? "1" : "0"},
                          {"EMISSION", v.emissive ? "1" : "0"},
+                         {"GBUFFER_WIDE", gbuffer_define(v.layout)},
                          {"LOCAL_LIGHTS", std::to_string(static_cast<int>(v.local_lights))},
                          {"TILE_CLASS", lamp_lit ? "k_tile_class_lamp_lit" : "k_tile_class_sky_lit"},
                          {"BRDF", std::to_string(static_cast<int>(v.brdf))}}});
@@ -50,16 +53,14 @@ void LightingPass::add(RenderGraph& graph, FrameResources& resources) {
     Variant variant{.shadowed = resources.shadow_result.valid(),
                     .emissive = resources.emission.valid(),
                     .local_lights = local_lights_of(resources),
-                    .brdf = resources.settings.brdf.model};
+                    .brdf = resources.settings.brdf.model,
+                    .layout = resources.settings.gbuffer.layout};
     variant.tiles = variant.local_lights == LocalLights::tile;
     graph.add_pass(
         "lighting",
         [&](PassBuilder& pass) {
             pass.test_depth(resources.depth);
-            for (const TextureHandle target :
-                 {resources.depth, resources.albedo, resources.normal, resources.surface}) {
-                pass.read(target);
-            }
+            read_gbuffer(pass, resources);
             if (variant.shadowed) pass.read(resources.shadow_result);
             if (variant.emissive) pass.read(resources.emission);
             if (variant.tiles) read_tiles(pass, resources.tiles);
@@ -69,10 +70,7 @@ void LightingPass::add(RenderGraph& graph, FrameResources& resources) {
         },
         [this, &resources, variant](PassContext& context) {
             const gl::Sampler& nearest = resources.samplers.nearest;
-            context.bind_texture(UNIT_PASS, resources.depth, nearest);
-            context.bind_texture(UNIT_PASS + 1, resources.albedo, nearest);
-            context.bind_texture(UNIT_PASS + 2, resources.normal, nearest);
-            context.bind_texture(UNIT_PASS + 3, resources.surface, nearest);
+            bind_gbuffer(context, resources);
             if (variant.shadowed) context.bind_texture(UNIT_PASS + 4, resources.shadow_result, nearest);
             if (variant.emissive) context.bind_texture(UNIT_PASS + 5, resources.emission, nearest);
             glEnable(GL_DEPTH_TEST);

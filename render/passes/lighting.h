@@ -27,6 +27,7 @@ private:
         LocalLights local_lights = LocalLights::none;
         bool tiles = false;  ///< drawn over the tiles of a class instead of the whole screen
         Brdf brdf = Brdf::ggx;
+        GBufferLayout layout = GBufferLayout::compact;
     };
     [[nodiscard]] static LocalLights local_lights_of(const FrameResources& resources);
     [[nodiscard]] const gl::Program& program(Variant variant);
@@ -34,7 +35,7 @@ private:
 
     gl::ProgramRegistry& programs_;
     gl::VertexArray no_vertices_{"tiles"};
-    std::array<const gl::Program*, 96> variants_{};
+    std::array<const gl::Program*, 192> variants_{};
 };
 
 }  // namespace rambla::render

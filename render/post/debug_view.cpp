@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "render/passes/gbuffer.h"
 #include "render/shaders/shared/bindings.h"
 
 namespace rambla::render {
@@ -37,9 +38,9 @@ TextureHandle shown(const FrameResources& resources, DebugView view) {
 
 }  // namespace
 
-const gl::Program& DebugViewPass::program(DebugView view, bool missing) {
+const gl::Program& DebugViewPass::program(DebugView view, bool missing, GBufferLayout layout) {
     const auto index = static_cast<std::size_t>(view);
-    const gl::Program*& variant = variants_[2 * index + (missing ? 1 : 0)];
+    const gl::Program*& variant = variants_[4 * index + (missing ? 2 : 0) + static_cast<std::size_t>(layout)];
     if (variant == nullptr) {
         variant = &programs_.get({.name = "debug view",
                                   .vertex = "full_screen.vert.glsl",
@@ -47,6 +48,7 @@ const gl::Program& DebugViewPass::program(DebugView view, bool missing) {
                                   .compute = {},
                                   .defines = {{"VIEW", "view_" + std::string{k_debug_views[index]}},
                                               {"MISSING", missing ? "1" : "0"},
+                                              {"GBUFFER_WIDE", gbuffer_define(layout)},
                                               {"CELLS", view == DebugView::lights ? "1" : "0"},
                                               {"TILES", view == DebugView::tiles ? "1" : "0"}}});
     }
@@ -96,7 +98,7 @@ void DebugViewPass::add(RenderGraph& graph, FrameResources& resources) {
         view == DebugView::overdraw ? add_overdraw(graph, resources) : shown(resources, view);
     const bool tiles = view == DebugView::tiles;
     const bool missing = !source.valid() || (tiles && !resources.tiles.valid());
-    const gl::Program& show = program(view, missing);
+    const gl::Program& show = program(view, missing, resources.settings.gbuffer.layout);
     graph.add_pass(
         "debug view",
         [&](PassBuilder& pass) {

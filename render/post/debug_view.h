@@ -16,12 +16,12 @@ public:
     void add(RenderGraph& graph, FrameResources& resources);
 
 private:
-    [[nodiscard]] const gl::Program& program(DebugView view, bool missing);
+    [[nodiscard]] const gl::Program& program(DebugView view, bool missing, GBufferLayout layout);
     [[nodiscard]] const gl::Program& overdraw_program(bool skinned, bool morphed);
     [[nodiscard]] TextureHandle add_overdraw(RenderGraph& graph, FrameResources& resources);
 
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, k_debug_views.size() * 2> variants_{};
+    std::array<const gl::Program*, k_debug_views.size() * 4> variants_{};
     std::array<const gl::Program*, 4> overdraw_{};
 };
 

@@ -43,10 +43,20 @@ vec3 of_surface(vec3 value) {
 }
 
 vec3 view_albedo() {
-    return of_surface(texelFetch(source, pixel(), 0).rgb);
+    vec3 albedo = texelFetch(source, pixel(), 0).rgb;
+#if GBUFFER_WIDE
+    albedo = encode_srgb(albedo);
+#endif
+    return of_surface(albedo);
 }
+/// As it is stored: without the normal map in the wide layout.
 vec3 view_normal() {
-    return of_surface(0.5 + 0.5 * normal_from_stored(texelFetch(source, pixel(), 0).xy));
+    vec3 stored = texelFetch(source, pixel(), 0).xyz;
+#if GBUFFER_WIDE
+    return of_surface(0.5 + 0.5 * normalize(stored));
+#else
+    return of_surface(0.5 + 0.5 * normal_from_stored(stored.xy));
+#endif
 }
 vec3 view_roughness() {
     return of_surface(texelFetch(source, pixel(), 0).xxx);

@@ -1,9 +1,15 @@
-// Defines: ALPHA_MASK, and those of material.glsl.
+// Defines: ALPHA_MASK, GBUFFER_WIDE, and those of material.glsl.
 #include "material.glsl"
 #include "gbuffer_layout.glsl"
 
 layout(location = 0) out vec4 out_albedo;
+#if GBUFFER_WIDE
+layout(location = 1) out vec4 out_normal;
+layout(location = 4) out vec4 out_position;
+layout(location = 5) out vec4 out_tangent;
+#else
 layout(location = 1) out vec2 out_normal;
+#endif
 layout(location = 2) out vec4 out_surface;
 #if EMISSION
 layout(location = 3) out vec3 out_emission;
@@ -15,11 +21,21 @@ void main() {
 #if ALPHA_MASK
     if (base.a < m.emissive_cutoff.a) discard;
 #endif
-    vec3 normal = surface_normal(m);
     bool unlit = (m.flags & k_material_unlit) != 0u;
     vec3 surface = sample_surface(m);
-    out_albedo = vec4(unlit ? vec3(0.0) : stored_albedo(base.rgb), unlit ? k_unlit : stored_reflectance(sample_dielectric_f0(m)));
-    out_normal = stored_normal(normal);
+    vec3 albedo = unlit ? vec3(0.0) : base.rgb;
+    float reflectance = unlit ? k_unlit : stored_reflectance(sample_dielectric_f0(m));
+#if GBUFFER_WIDE
+    vec3 normal = interpolated_normal();
+    TangentSpace space = tangent_space(m, normal);
+    out_albedo = vec4(albedo, space.map.x);
+    out_normal = vec4(normal, 0.0);
+    out_position = vec4(varyings.position, reflectance);
+    out_tangent = vec4(space.tangent, space.map.y);
+#else
+    out_albedo = vec4(stored_albedo(albedo), reflectance);
+    out_normal = stored_normal(surface_normal(m));
+#endif
     out_surface = vec4(surface, 0.0);
 #if EMISSION
     // The format knows neither sign nor overflow.

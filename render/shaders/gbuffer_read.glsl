@@ -9,6 +9,10 @@ layout(binding = UNIT_PASS) uniform sampler2D depth_target;
 layout(binding = UNIT_PASS + 1) uniform sampler2D albedo_target;
 layout(binding = UNIT_PASS + 2) uniform sampler2D normal_target;
 layout(binding = UNIT_PASS + 3) uniform sampler2D surface_target;
+#if GBUFFER_WIDE
+layout(binding = UNIT_PASS + 6) uniform sampler2D position_target;
+layout(binding = UNIT_PASS + 7) uniform sampler2D tangent_target;
+#endif
 
 struct PixelSurface {
     Surface surface;
@@ -27,16 +31,39 @@ vec3 seen_position(ivec2 pixel) {
 }
 
 vec3 world_position(ivec2 pixel) {
+#if GBUFFER_WIDE
+    return texelFetch(position_target, pixel, 0).xyz;
+#else
     return mat3(frame.world_from_view) * seen_position(pixel);
+#endif
+}
+
+vec3 world_normal(ivec2 pixel) {
+#if GBUFFER_WIDE
+    vec4 tangent = texelFetch(tangent_target, pixel, 0);
+    vec2 map = vec2(texelFetch(albedo_target, pixel, 0).a, tangent.a);
+    return tilted_normal(normalize(texelFetch(normal_target, pixel, 0).xyz), tangent.xyz, map);
+#else
+    return normal_from_stored(texelFetch(normal_target, pixel, 0).xy);
+#endif
+}
+
+/// Colour, and alpha as RT0 of the compact layout has it.
+vec4 stored_base(ivec2 pixel) {
+    vec4 albedo = texelFetch(albedo_target, pixel, 0);
+#if GBUFFER_WIDE
+    return vec4(albedo.rgb, texelFetch(position_target, pixel, 0).a);
+#else
+    return vec4(albedo_from_stored(albedo.rgb), albedo.a);
+#endif
 }
 
 PixelSurface read_pixel(ivec2 pixel) {
-    vec4 albedo = texelFetch(albedo_target, pixel, 0);
-    vec3 normal = normal_from_stored(texelFetch(normal_target, pixel, 0).xy);
+    vec4 base = stored_base(pixel);
     vec4 surface = texelFetch(surface_target, pixel, 0);
-    vec3 seen = seen_position(pixel);
-    vec3 position = mat3(frame.world_from_view) * seen;
-    return PixelSurface(make_surface(normal, albedo_from_stored(albedo.rgb), surface.x, surface.y, surface.z,
-                                     reflectance_from_stored(albedo.a)),
-                        position, direction_to_eye(position), -seen.z, is_lit(albedo.a));
+    vec3 position = world_position(pixel);
+    float distance_m = -seen_position(pixel).z;  // by depth, as the lists of lights go
+    return PixelSurface(make_surface(world_normal(pixel), base.rgb, surface.x, surface.y, surface.z,
+                                     reflectance_from_stored(base.a)),
+                        position, direction_to_eye(position), distance_m, is_lit(base.a));
 }

@@ -38,31 +38,40 @@ vec3 sample_normal(Material m) {
     return t;
 }
 
+#endif
+
+/// What a normal map says at a pixel: the normal is normalize(tangent·x + cross(normal, tangent)·y + normal·z).
+struct TangentSpace {
+    vec3 tangent;  ///< unit length, or zero where there is no map
+    vec2 map;      ///< x and y of the map's unit normal
+    float z;
+};
+
 /// glTF 2.0, 3.9.3: the texture's xy scaled, then rotated into the frame (T, B = w·(N×T), N). The frame of a
 /// back face turns with its normal. Degenerate tangents leave the normal as it is.
-vec3 mapped_normal(Material m, vec3 normal) {
-    vec3 t = sample_normal(m);
+TangentSpace tangent_space(Material m, vec3 normal) {
+    TangentSpace flat_space = TangentSpace(vec3(0.0), vec2(0.0), 1.0);
+#if DETAIL
+    vec3 t = sample_normal(m);  // outside any branch: its texture needs derivatives
     t.xy *= m.normal_scale;
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 across = varyings.tangent.xyz - normal * dot(normal, varyings.tangent.xyz);
     float length2 = dot(across, across);
-    if (length2 < 1e-12) return normal;
-    vec3 tangent = side * across * inversesqrt(length2);
-    vec3 bitangent = side * varyings.tangent.w * cross(normal, tangent);
-    vec3 mapped = tangent * t.x + bitangent * t.y + normal * t.z;
-    float mapped_length2 = dot(mapped, mapped);
-    return mapped_length2 > 1e-12 ? mapped * inversesqrt(mapped_length2) : normal;
-}
+    float t_length2 = dot(t, t);
+    bool mapped = (m.flags & k_material_has_normal_texture) != 0u && length2 >= 1e-12 && t_length2 > 1e-12;
+    if (!mapped) return flat_space;
+    t *= inversesqrt(t_length2);
+    return TangentSpace(side * across * inversesqrt(length2), vec2(t.x, side * varyings.tangent.w * t.y), t.z);
+#else
+    return flat_space;
 #endif
+}
 
 /// The interpolated normal, or the normal texture's where there is one.
 vec3 surface_normal(Material m) {
     vec3 normal = interpolated_normal();
-#if DETAIL
-    vec3 mapped = mapped_normal(m, normal);  // outside any branch: its texture needs derivatives
-    normal = (m.flags & k_material_has_normal_texture) != 0u ? mapped : normal;
-#endif
-    return normal;
+    TangentSpace s = tangent_space(m, normal);
+    return s.tangent * s.map.x + cross(normal, s.tangent) * s.map.y + normal * s.z;
 }
 
 /// Roughness, metalness, occlusion.

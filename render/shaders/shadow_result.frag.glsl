@@ -12,7 +12,7 @@ layout(location = 0) out float out_lit;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 position = world_position(pixel);
-    vec3 normal = normal_from_stored(texelFetch(normal_target, pixel, 0).xy);
+    vec3 normal = world_normal(pixel);
     vec3 to_sun = frame.direction_to_sun.xyz;
     vec3 point = shadow_receiver(position, normal, to_sun, shadow.bias_m);
     vec3 place = (shadow.map_from_world * vec4(point, 1.0)).xyz;

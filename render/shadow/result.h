@@ -16,10 +16,10 @@ public:
     void add(RenderGraph& graph, FrameResources& resources);
 
 private:
-    [[nodiscard]] const gl::Program& program(ShadowTaps taps);
+    [[nodiscard]] const gl::Program& program(ShadowTaps taps, GBufferLayout layout);
 
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, 2> variants_{};
+    std::array<const gl::Program*, 4> variants_{};
 };
 
 }  // namespace rambla::render

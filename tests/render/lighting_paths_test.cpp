@@ -137,6 +137,32 @@ TEST(LightingPaths, ForwardKeepsWhatTheGBufferKeeps) {
         << "a pre-pass changes no deferred picture";
 }
 
+TEST(LightingPaths, ShowTheSamePictureFromAWideGBuffer) {
+    Stage stage;
+    furnish(stage);
+    stage.settings.anti_aliasing.method = render::AntiAliasing::none;
+    const auto gbuffer_bytes = [](const Picture& picture) {
+        for (const systems::PassTiming& pass : picture.feedback.passes) {
+            if (pass.name == "gbuffer") return pass.bytes_written;
+        }
+        return std::uint64_t{0};
+    };
+    const Picture compact = drawn_by(stage, render::LightingPath::fullscreen);
+    stage.settings.gbuffer.layout = render::GBufferLayout::wide;
+    const Picture wide = drawn_by(stage, render::LightingPath::fullscreen);
+    EXPECT_EQ(gbuffer_bytes(compact), 320u * 200u * (3 * 4 + 4 + 4)) << "emission and depth besides";
+    EXPECT_EQ(gbuffer_bytes(wide), 320u * 200u * (4 * 8 + 4 + 4 + 4));
+    EXPECT_NE(wide.bytes, compact.bytes);
+    // Compact: half a byte's step of the albedo, 2e-5 of the normal. Wide: 2^-11 of all, which is 8 mm at 16
+    // m, where lamps hang 0.2 m above the floor.
+    const Difference found = difference(compact, wide);
+    EXPECT_LE(found.largest, 6);
+    EXPECT_LE(found.beyond_one_pct, 1.0);
+    EXPECT_EQ(drawn_by(stage, render::LightingPath::clustered).bytes, wide.bytes);
+    EXPECT_EQ(drawn_by(stage, render::LightingPath::tiled).bytes, wide.bytes);
+    EXPECT_LE(difference(drawn_by(stage, render::LightingPath::volumes), wide).largest, 2);
+}
+
 TEST(LightingPaths, EachPathLightsTheFloorByManyLamps) {
     Stage stage;
     furnish(stage);

@@ -299,14 +299,37 @@ TEST(NormalMaps, TiltTowardsIncreasingUAndUpwards) {
             stage.things.clear();
             stage.place(mesh, stage.material(m));
             stage.settings.shadows.method = render::ShadowMethod::off;
-            stage.frame.environment = only_sun(glm::vec3{0, 0, 1} + test.tilt);
-            const float facing = stage.draw().radiance(64, 64).x;
-            stage.frame.environment = only_sun(glm::vec3{0, 0, 1} - test.tilt);
-            const float away = stage.draw().radiance(64, 64).x;
-            EXPECT_GT(facing, 0.93f) << "mirrored " << mirrored_uv << " tilt " << test.tilt.x << " "
-                                     << test.tilt.y;
-            EXPECT_LT(away, 0.05f) << "mirrored " << mirrored_uv << " tilt " << test.tilt.x << " "
-                                   << test.tilt.y;
+            for (const auto layout : {render::GBufferLayout::compact, render::GBufferLayout::wide}) {
+                stage.settings.gbuffer.layout = layout;
+                stage.frame.environment = only_sun(glm::vec3{0, 0, 1} + test.tilt);
+                const float facing = stage.draw().radiance(64, 64).x;
+                stage.frame.environment = only_sun(glm::vec3{0, 0, 1} - test.tilt);
+                const float away = stage.draw().radiance(64, 64).x;
+                EXPECT_GT(facing, 0.93f) << "mirrored " << mirrored_uv << " tilt " << test.tilt.x << " "
+                                         << test.tilt.y << " layout " << static_cast<int>(layout);
+                EXPECT_LT(away, 0.05f) << "mirrored " << mirrored_uv << " tilt " << test.tilt.x << " "
+                                       << test.tilt.y << " layout " << static_cast<int>(layout);
+            }
+        }
+    }
+}
+
+TEST(NormalMaps, TurnWithTheirSurfaceWhereItsBackIsSeen) {
+    for (const auto layout : {render::GBufferLayout::compact, render::GBufferLayout::wide}) {
+        for (const glm::u8vec4 texel : {glm::u8vec4{218, 128, 218, 255}, glm::u8vec4{128, 218, 218, 255}}) {
+            Stage stage;
+            stage.settings.gbuffer.layout = layout;
+            stage.settings.shadows.method = render::ShadowMethod::off;
+            assets::Material m = matte();
+            m.double_sided = true;
+            m.normal_texture = stage.texture(1, 1, {texel});
+            stage.place(stage.square(), stage.material(m));
+            stage.look({0, 0, -5}, {0, 0, 0});
+            const glm::vec3 tilt = texel.x > 200 ? glm::vec3{1, 0, 0} : glm::vec3{0, 1, 0};
+            stage.frame.environment = only_sun(glm::vec3{0, 0, -1} - tilt);
+            EXPECT_GT(stage.draw().radiance(64, 64).x, 0.93f);
+            stage.frame.environment = only_sun(glm::vec3{0, 0, -1} + tilt);
+            EXPECT_LT(stage.draw().radiance(64, 64).x, 0.05f);
         }
     }
 }

@@ -73,6 +73,8 @@ std::vector<Way> ways(std::uint32_t lights) {
     all.push_back(way("clustered", LightingPath::clustered));
     all.push_back(way("tiled", LightingPath::tiled));
     all.push_back(way("tiled+depth", LightingPath::tiled, true));
+    all.push_back(way("tiled, wide", LightingPath::tiled));
+    all.back().settings.gbuffer.layout = render::GBufferLayout::wide;
     all.push_back(way("forward", LightingPath::forward));
     all.push_back(way("forward+depth", LightingPath::forward, true));
     return all;
