@@ -90,7 +90,7 @@ void Schedule::build() {
             waits.push_back(wait.system - first_of_stage);
         const Added::Entry& entry = *entries_[made.declared[i]];
         stages_.back()->add(*entry.body, i, system.name, system.access, entry.declaration.lanes, waits);
-        times_.push_back({system.name, 0});
+        times_.push_back({.name = system.name});
     }
     built_ = true;
 }
@@ -115,8 +115,11 @@ void Schedule::run(World& world) {
     });
     std::size_t next = 0;
     for (const auto& stage : stages_) {
-        for (std::size_t i = 0; i < stage->size(); ++i)
-            times_[next++].ns = stage->time_ns(i);
+        for (std::size_t i = 0; i < stage->size(); ++i) {
+            const detail::Stage::Ran& ran = stage->last_run(i);
+            SystemTime& time = times_[next++];
+            time = {.name = time.name, .ns = ran.ns, .begin = ran.begin, .thread = ran.thread};
+        }
     }
     if (error != nullptr) std::rethrow_exception(error);
 }

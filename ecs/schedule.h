@@ -1,11 +1,13 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -27,10 +29,12 @@ struct ScheduleOptions {
     std::size_t threads = 0;
 };
 
-/// How long a system took, its parallel loops included.
+/// When a system ran and how long it took, its parallel loops included.
 struct SystemTime {
     std::string_view name;  ///< of the system
     std::uint64_t ns = 0;
+    std::chrono::steady_clock::time_point begin{};
+    std::thread::id thread{};  ///< that ran it; others may have taken part in its loops
 };
 
 /// Systems, run in an order that follows from what they declare to touch.
@@ -130,8 +134,8 @@ public:
 
     /// The order in which the systems run. Throws Misuse when it contradicts itself.
     [[nodiscard]] const Plan& plan();
-    /// In the order of the plan, of the last run in which each system ran; 0 before. Valid until the next
-    /// add().
+    /// In the order of the plan, of the last run in which each system ran; 0, and no thread, before. Valid
+    /// until the next add().
     [[nodiscard]] std::span<const SystemTime> times() const { return times_; }
     /// Distinct threads that have worked for this schedule, its caller included.
     [[nodiscard]] std::size_t worker_threads() const { return team_.worker_threads(); }

@@ -77,7 +77,7 @@ void Stage::run(World& world, CommandQueue& commands, Team* team) {
 }
 
 void Stage::share(Node& node, Ready& ready) {
-    if (ready.empty() || (node.timed && node.last_ns < k_shortest_shared_ns)) {
+    if (ready.empty() || (node.last.thread != std::thread::id{} && node.last.ns < k_shortest_shared_ns)) {
         ready.push(node);
         return;
     }
@@ -121,9 +121,10 @@ void Stage::run_node(Node& node) noexcept {
         node.error = std::current_exception();
         node.body->forget();
     }
-    node.last_ns = static_cast<std::uint64_t>(
-        std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
-    node.timed = true;
+    node.last = {.ns = static_cast<std::uint64_t>(
+                     std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()),
+                 .begin = start,
+                 .thread = std::this_thread::get_id()};
 }
 
 void Stage::rethrow() const {

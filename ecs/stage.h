@@ -1,10 +1,12 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "ecs/job.h"
@@ -26,7 +28,13 @@ public:
     /// Throws what the first system that threw has thrown, naming it.
     void rethrow() const;
 
-    [[nodiscard]] std::uint64_t time_ns(std::size_t system) const { return nodes_[system]->last_ns; }
+    /// Where and when a system ran.
+    struct Ran {
+        std::uint64_t ns = 0;
+        std::chrono::steady_clock::time_point begin{};
+        std::thread::id thread{};  ///< none: it has not run yet
+    };
+    [[nodiscard]] const Ran& last_run(std::size_t system) const { return nodes_[system]->last; }
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
 private:
@@ -39,8 +47,7 @@ private:
         std::uint32_t wait_count = 0;
         std::atomic<std::uint32_t> waiting{0};  ///< for so many that have not ended
         Node* next = nullptr;                   ///< of those that one thread has ready
-        std::uint64_t last_ns = 0;
-        bool timed = false;  ///< last_ns says something
+        Ran last;
         std::exception_ptr error;
     };
     /// Ready systems that one thread is going to run.

@@ -1,6 +1,7 @@
 #include "systems/pipeline.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <span>
 
@@ -27,7 +28,23 @@ R& ensure(ecs::World& world) {
 void note(std::vector<SystemTiming>& timings, std::span<const ecs::SystemTime> times) {
     timings.resize(times.size());
     for (std::size_t i = 0; i < times.size(); ++i)
-        timings[i] = {times[i].name, static_cast<double>(times[i].ns) * 1.0e-6};
+        timings[i] = {times[i].name, static_cast<double>(times[i].ns) * 1.0e-6, times[i].begin,
+                      times[i].thread};
+}
+
+/// Runs a schedule, notes what its systems took and tells who listens.
+void run(ecs::World& world, ecs::Schedule& schedule, std::vector<SystemTiming> StepTimings::*timings,
+         SystemsRun::Kind kind, std::uint64_t number) {
+    const auto begin = std::chrono::steady_clock::now();
+    schedule.run(world);
+    std::vector<SystemTiming>& noted = ensure<StepTimings>(world).*timings;
+    note(noted, schedule.times());
+    if (!world.has_resource<SystemsListener>()) return;
+    world.resource<SystemsListener>().heard({.kind = kind,
+                                             .number = number,
+                                             .begin = begin,
+                                             .end = std::chrono::steady_clock::now(),
+                                             .systems = noted});
 }
 
 FrameView view_of(const Eye& eye, const WorldPosition& place) {
@@ -70,13 +87,12 @@ std::size_t worker_threads(const ecs::World& world) {
 
 void step(ecs::World& world) {
     ensure<Paths>(world);
-    ensure<Clock>(world);
+    const std::uint64_t number = ensure<Clock>(world).steps + 1;
     ensure<ClipLibrary>(world);
     ensure<Deformations>(world);
     if (!world.has_resource<Simulation>()) world.set_resource(make_simulation());
-    ecs::Schedule& schedule = *world.resource<Simulation>().schedule;
-    schedule.run(world);
-    note(ensure<StepTimings>(world).simulation, schedule.times());
+    run(world, *world.resource<Simulation>().schedule, &StepTimings::simulation, SystemsRun::Kind::step,
+        number);
 }
 
 void build_frame(ecs::World& world, const Eye& eye, float interpolation, Frame& frame) {
@@ -103,8 +119,7 @@ void build_frame(ecs::World& world, const Eye& eye, float interpolation, Frame& 
     look.shadows = sun_shines(frame.environment);
     look.forward = -glm::transpose(glm::mat3{frame.view.view_from_world})[2];
     ensure<FrameUnderWork>(world).frame = &frame;
-    looking.schedule->run(world);
-    note(ensure<StepTimings>(world).looking, looking.schedule->times());
+    run(world, *looking.schedule, &StepTimings::looking, SystemsRun::Kind::look, frame.number);
 }
 
 }  // namespace rambla::systems

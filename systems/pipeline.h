@@ -1,10 +1,14 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <span>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "assets/scene.h"
@@ -29,10 +33,12 @@ struct Eye {
     glm::uvec2 size_px{960, 540};
 };
 
-/// Milliseconds that a system took when it last ran.
+/// What a system took when it last ran.
 struct SystemTiming {
     std::string_view name;
     double ms = 0.0;
+    std::chrono::steady_clock::time_point begin{};
+    std::thread::id thread{};  ///< that ran it
 };
 
 /// Resource: what the last step() and build_frame() cost. Measured, hence no part of the simulation's state.
@@ -41,6 +47,22 @@ struct StepTimings {
     std::vector<SystemTiming> looking;
 
     [[nodiscard]] std::vector<SystemTiming> all() const;
+};
+
+/// One run of the systems of a step or of a look.
+struct SystemsRun {
+    enum class Kind : std::uint8_t { step, look };
+    Kind kind = Kind::step;
+    std::uint64_t number = 0;  ///< of the step, from 1, or of the Frame, from 0
+    std::chrono::steady_clock::time_point begin{};
+    std::chrono::steady_clock::time_point end{};
+    std::span<const SystemTiming> systems;  ///< valid during the call
+};
+
+/// Resource, for who wants to know of every run: step() and build_frame() call it at their end, in their
+/// thread. It must not touch the world.
+struct SystemsListener {
+    std::function<void(const SystemsRun&)> heard;
 };
 
 /// How many threads have worked for a world's systems so far, those that called step() and build_frame()

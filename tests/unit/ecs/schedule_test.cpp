@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -181,6 +183,45 @@ TEST(Schedule, TimesAreToldInTheOrderOfThePlan) {
     ASSERT_EQ(schedule.times().size(), 2u);
     EXPECT_EQ(schedule.times()[0].name, "early");
     EXPECT_GE(schedule.times()[0].ns, 2'000'000u);
+}
+
+TEST(Schedule, TellsWhenAndOnWhichThreadEachSystemRan) {
+    World world;
+    Schedule schedule{{.threads = 2}};
+    std::array<std::thread::id, 3> ran{};
+    const auto begin = std::chrono::steady_clock::now();
+    // The first two run at the same time: neither ends before both have begun.
+    std::atomic<int> arrived{0};
+    const auto meet = [&] {
+        ++arrived;
+        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds{10};
+        while (arrived < 2 && std::chrono::steady_clock::now() < deadline)
+            std::this_thread::yield();
+    };
+    schedule.add("a", [&](View<const Position>) {
+        ran[0] = std::this_thread::get_id();
+        meet();
+    });
+    schedule.add("b", [&](View<const Position>) {
+        ran[1] = std::this_thread::get_id();
+        meet();
+    });
+    schedule.add("c", [&](View<const Position>) { ran[2] = std::this_thread::get_id(); })
+        .after("a")
+        .after("b");
+    schedule.run(world);
+    const auto end = std::chrono::steady_clock::now();
+    const std::span<const SystemTime> times = schedule.times();
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(times[i].thread, ran[i]) << times[i].name;
+        EXPECT_GE(times[i].begin, begin) << times[i].name;
+        EXPECT_LE(times[i].begin + std::chrono::nanoseconds{times[i].ns}, end) << times[i].name;
+    }
+    EXPECT_NE(times[0].thread, times[1].thread);
+    EXPECT_LE(times[0].begin, times[1].begin + std::chrono::nanoseconds{times[1].ns});
+    EXPECT_LE(times[1].begin, times[0].begin + std::chrono::nanoseconds{times[0].ns});
+    EXPECT_GE(times[2].begin, times[0].begin + std::chrono::nanoseconds{times[0].ns});
+    EXPECT_GE(times[2].begin, times[1].begin + std::chrono::nanoseconds{times[1].ns});
 }
 
 TEST(Schedule, SteadyRunsDoNotAllocate) {

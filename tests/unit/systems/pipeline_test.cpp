@@ -1,9 +1,12 @@
 #include "systems/pipeline.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
 #include <cstring>
+#include <thread>
+#include <utility>
 
 #include "support/allocation_counter.h"
 #include "systems/pack/queue.h"
@@ -283,6 +286,29 @@ TEST(Simulation, TimesItsSystems) {
         EXPECT_GT(timing.ms, 0.0) << timing.name;
         EXPECT_LT(timing.ms, 1000.0) << timing.name;
     }
+}
+
+TEST(Simulation, TellsWhoListensOfEveryStepAndLook) {
+    ecs::World world;
+    spawn(world, small_place(10, 2), {}, 1);
+    std::vector<std::pair<SystemsRun::Kind, std::uint64_t>> heard;
+    world.set_resource(SystemsListener{[&heard](const SystemsRun& run) {
+        heard.emplace_back(run.kind, run.number);
+        EXPECT_FALSE(run.systems.empty());
+        for (const SystemTiming& system : run.systems) {
+            EXPECT_GE(system.begin, run.begin) << system.name;
+            EXPECT_LE(system.begin, run.end) << system.name;
+            EXPECT_NE(system.thread, std::thread::id{}) << system.name;
+        }
+    }});
+    Frame frame;
+    step(world);
+    build_frame(world, Eye{}, 1.0f, frame);
+    step(world);
+    build_frame(world, Eye{}, 1.0f, frame);
+    using Kind = SystemsRun::Kind;
+    EXPECT_THAT(heard, testing::ElementsAre(std::pair{Kind::step, 1u}, std::pair{Kind::look, 0u},
+                                            std::pair{Kind::step, 2u}, std::pair{Kind::look, 1u}));
 }
 
 TEST(Mirrors, FollowsTheSignOfTheDeterminant) {
