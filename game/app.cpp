@@ -55,6 +55,7 @@ public:
           thread_{{.window = window_.context(), .shaders = shaders_.source(), .gl_errors_throw = false}} {
         hud_.walking = options.walking;
         hand_over(prepare_scene(*stage.scene, thread_.device(), options.quiet), stage, thread_);
+        if (options.trace) options.trace->listen_to(*stage.world);
     }
 
     std::uint64_t run(const Update& update) {
@@ -113,13 +114,18 @@ private:
         const bool linear = input_.with_shift(Action::screenshot);
         frame.frame.capture = {.display = wanted && !linear, .linear = wanted && linear};
         frame.settings = settings_;
-        frame.profile = hud_.timings;
+        frame.timers = pass_timers();
         frame.draw_graph = false;
         frame.complete_textures = false;
         frame.reload_shaders = shaders_.exists() && shaders_.changed(now);
         if (frame.reload_shaders) hud_.shader_error.clear();
         counts_ = frame.frame.counts;
         if (now > notice_ends_) hud_.notice.clear();
+    }
+
+    [[nodiscard]] render::PassTimers pass_timers() const {
+        if (hud_.timings) return render::PassTimers::alone;
+        return options_.trace ? render::PassTimers::stamped : render::PassTimers::off;
     }
 
     std::shared_ptr<const void> build_interface(const Shot& shot, double elapsed_s) {
@@ -138,6 +144,7 @@ private:
 
     void take_outputs() {
         for (render::FrameOutput& output : thread_.collect()) {
+            if (options_.trace) options_.trace->add(output.feedback);
             timings_.add(std::move(output.feedback));
             if (output.display) save(std::move(*output.display), ".png");
             if (output.linear) save(std::move(*output.linear), ".exr");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "game/input.h"
+#include "game/run_trace.h"
 #include "game/stage.h"
 #include "render/settings.h"
 
@@ -18,6 +19,7 @@ struct AppOptions {
         false;           ///< the pointer belongs to somebody's eyes, and the help names the keys for walking
     bool quiet = false;  ///< shows no progress on the terminal
     std::uint64_t frames = 0;              ///< ends after so many pictures; 0: when the user quits
+    RunTrace* trace = nullptr;             ///< gets every step and frame; may be null
     std::function<void()> overlay_part{};  ///< widgets of the caller's own, below the overlay's; may be empty
 };
 

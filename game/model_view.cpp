@@ -93,20 +93,23 @@ ModelView view_model(const fs::path& file, const ViewWishes& wishes) {
 }
 
 ModelPicture draw_model(render::RenderThread& thread, ModelView& view, bool linear, bool quiet,
-                        std::shared_ptr<const void> hud) {
+                        std::shared_ptr<const void> hud, RunTrace* trace) {
     Stage& stage = view.stage;
     hand_over(prepare_scene(*stage.scene, thread.device(), quiet), stage, thread);
+    if (trace) trace->listen_to(*stage.world);
     render::FrameInput& input = thread.begin();
     systems::build_frame(*stage.world, view.eye, 1.0f, input.frame);
     input.frame.capture = {.display = !linear, .linear = linear};
     input.frame.hud = std::move(hud);
     input.settings = view.settings;
     input.complete_textures = true;
+    input.timers = trace ? render::PassTimers::stamped : render::PassTimers::off;
     const systems::FrameCounts counts = input.frame.counts;
     thread.submit();
     thread.finish();
     std::vector<render::FrameOutput> outputs = thread.collect();
     render::FrameOutput& drawn = outputs.at(0);
+    if (trace) trace->add(drawn.feedback);
     std::optional<assets::Image>& image = linear ? drawn.linear : drawn.display;
     return {std::move(image.value()), counts, std::move(drawn.feedback)};
 }

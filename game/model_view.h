@@ -11,6 +11,7 @@
 #include "assets/bounds.h"
 #include "assets/daylight.h"
 #include "assets/image.h"
+#include "game/run_trace.h"
 #include "game/stage.h"
 #include "render/render_thread.h"
 #include "render/settings.h"
@@ -57,8 +58,9 @@ struct ModelPicture {
 /// Draws one picture of a model, after everything that the thread had to do before.
 /// @param linear  linear light for an EXR file, else what a screen shows
 /// @param hud     what lies over a picture for the screen; may be null
+/// @param trace   gets the look and the frame; may be null
 [[nodiscard]] ModelPicture draw_model(render::RenderThread& thread, ModelView& view, bool linear, bool quiet,
-                                      std::shared_ptr<const void> hud);
+                                      std::shared_ptr<const void> hud, RunTrace* trace = nullptr);
 
 /// What was drawn, for results: entities, visible, lights, draws, triangles, textures, and those of
 /// clip_facts().

@@ -160,6 +160,14 @@ void add_picture_options(CLI::App& command, Options& options) {
                       render::k_texture_budget_parameters, options.settings.textures);
 }
 
+CLI::Option* add_trace_option(CLI::App& command, Options& options) {
+    return command
+        .add_option("--trace", options.trace,
+                    "Writes when each system and each pass ran, and on which thread or the GPU; open it in "
+                    "ui.perfetto.dev or chrome://tracing")
+        ->type_name("FILE.json");
+}
+
 void add_message_options(CLI::App& command, Options& options) {
     command.add_option("--json", options.json, "Writes the results as one JSON object; - is standard output")
         ->type_name("FILE");

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <limits>
 #include <string>
@@ -25,6 +26,7 @@ struct Options {
     bool headless = false;
     int threads = 0;  ///< 0: as many as the machine has
     std::string json;
+    std::filesystem::path trace;  ///< empty: none
     bool quiet = false;
     render::Settings settings;
     const CLI::Option* exposure_given = nullptr;  ///< --exposure, where the command has it
@@ -37,6 +39,8 @@ void add_scene_options(CLI::App& command, Options& options);    ///< --scene --s
 void add_time_option(CLI::App& command, Options& options);      ///< --time
 void add_place_options(CLI::App& command, Options& options);    ///< --origin --threads
 void add_picture_options(CLI::App& command, Options& options);  ///< --size and every algorithm's own option
+/// --trace, for what draws or simulates.
+CLI::Option* add_trace_option(CLI::App& command, Options& options);
 void add_message_options(CLI::App& command, Options& options);  ///< --json --quiet
 
 /// Holds oneTBB to --threads while it lives.

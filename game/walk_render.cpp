@@ -82,6 +82,7 @@ public:
     }
 
     void draw_walk() {
+        if (walk_.trace) walk_.trace->listen_to(*stage_.world);
         Progress progress{"Walking", walk_.frames, !options_.quiet};
         const Clock::time_point start = Clock::now();
         Clock::time_point before = start;
@@ -126,15 +127,13 @@ public:
             fill(input, spread(sample, walk_.profile_frames, walk_.frames - 1), 1.0f);
             input.frame.capture = {};
             input.draw_graph = false;
-            input.profile = true;
+            input.timers = render::PassTimers::alone;
             thread_->submit();
-            for (render::FrameOutput& output : thread_->collect())
-                measures_.profiled.push_back(std::move(output.feedback));
+            take_profiled();
             progress.update(i + 1);
         }
         thread_->finish();
-        for (render::FrameOutput& output : thread_->collect())
-            measures_.profiled.push_back(std::move(output.feedback));
+        take_profiled();
         const auto warm = std::min<std::size_t>(k_profile_warm_up, measures_.profiled.size());
         measures_.profiled.erase(measures_.profiled.begin(),
                                  measures_.profiled.begin() + static_cast<std::ptrdiff_t>(warm));
@@ -199,13 +198,21 @@ private:
         eye.size_px = options_.size_px;
         systems::build_frame(*stage_.world, eye, interpolation, input.frame);
         input.settings = settings_;
-        input.profile = false;
+        input.timers = walk_.trace ? render::PassTimers::stamped : render::PassTimers::off;
         input.reload_shaders = false;
         input.complete_textures = false;
     }
 
+    void take_profiled() {
+        for (render::FrameOutput& output : thread_->collect()) {
+            if (walk_.trace) walk_.trace->add(output.feedback);
+            measures_.profiled.push_back(std::move(output.feedback));
+        }
+    }
+
     void take_outputs() {
         for (render::FrameOutput& output : thread_->collect()) {
+            if (walk_.trace) walk_.trace->add(output.feedback);
             const auto frame = static_cast<std::uint32_t>(measures_.drawn.size());
             if (!output.graph_svg.empty()) assets::write_text(walk_.graph, output.graph_svg);
             measures_.held.push_back(

@@ -7,6 +7,7 @@
 
 #include "game/options.h"
 #include "game/run_stats.h"
+#include "game/run_trace.h"
 #include "game/stage.h"
 
 namespace rambla::game {
@@ -20,6 +21,7 @@ struct WalkRender {
     std::filesystem::path graph;  ///< empty: not drawn
     bool stats = false;
     double generating_ms = 0.0;  ///< what making the stage took, for the report
+    RunTrace* trace = nullptr;   ///< gets every frame, with its passes' times on the GPU; may be null
 };
 
 struct WalkResult {

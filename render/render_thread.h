@@ -10,6 +10,7 @@
 #include "assets/scene.h"
 #include "assets/texture_levels.h"
 #include "render/gl/context.h"
+#include "render/graph/cost.h"
 #include "render/settings.h"
 #include "render/shader_source.h"
 #include "render/window_context.h"
@@ -28,9 +29,9 @@ struct RenderThreadOptions {
 struct FrameInput {
     systems::Frame frame;
     Settings settings;
-    bool reload_shaders = false;  ///< compile again what the shader source has changed
-    bool profile = false;         ///< GPU timers per pass for this frame; adds flushes
-    bool draw_graph = false;      ///< asks for FrameOutput::graph_svg
+    bool reload_shaders = false;          ///< compile again what the shader source has changed
+    PassTimers timers = PassTimers::off;  ///< of its passes, on the GPU
+    bool draw_graph = false;              ///< asks for FrameOutput::graph_svg
     /// For pictures that are kept: the render thread first waits for all texture levels that the frame needs
     /// and the budget allows, so that the picture depends on no disk's speed. Else no frame waits for any.
     bool complete_textures = false;

@@ -161,7 +161,7 @@ void Renderer::State::draw(const FrameInput& input, bool is_warm_up) {
     if (size.x > 0 && size.y > 0) {  // a minimised window has no pixels
         draw_passes(input, slot);
     } else {
-        graph.execute(false);
+        graph.execute();
     }
     stream.end_frame();
     if (!is_warm_up) context.swap();
@@ -183,6 +183,7 @@ void Renderer::State::draw(const FrameInput& input, bool is_warm_up) {
     feedback.gl_objects = live.objects - scene.textures().passing_textures();
     feedback.gpu_memory_bytes = live.bytes;
     feedback.textures = scene.textures().feedback();
+    feedback.cpu_begin = begin;
     feedback.cpu_frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     context.check_errors();
 }
@@ -233,7 +234,7 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     } else {
         slot.display.release();
     }
-    graph.execute(input.profile);
+    graph.execute(input.timers);
     if (as_texture && !context.headless()) {
         const auto width = static_cast<GLint>(frame.view.size_px.x);
         const auto height = static_cast<GLint>(frame.view.size_px.y);
@@ -292,13 +293,16 @@ bool Renderer::State::take_oldest(std::vector<FrameOutput>& outputs, bool wait) 
     const FrameCost& cost = graph.take_cost();
     systems::Feedback& feedback = frame.output.feedback;
     feedback.gpu_frame_ms = cost.gpu_ms;
+    feedback.gpu_begin = cost.gpu_begin;
     feedback.passes.reserve(cost.passes.size());
     for (const PassCost& pass : cost.passes) {
         feedback.passes.push_back({.name = pass.name,
                                    .gpu_ms = pass.gpu_ms,
                                    .cpu_ms = pass.cpu_ms,
                                    .bytes_written = pass.bytes_written,
-                                   .memory_bytes = pass.memory_bytes});
+                                   .memory_bytes = pass.memory_bytes,
+                                   .cpu_begin = pass.cpu_begin,
+                                   .gpu_begin = pass.gpu_begin});
     }
     if (frame.display.pending()) frame.output.display = frame.display.take();
     if (frame.linear.pending()) frame.output.linear = frame.linear.take();

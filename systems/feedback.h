@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ struct PassTiming {
     double cpu_ms = 0.0;
     std::uint64_t bytes_written = 0;  ///< attachments' bytes that the pass may write
     std::uint64_t memory_bytes = 0;   ///< transient textures and buffers alive while it runs
+    std::chrono::steady_clock::time_point cpu_begin{};
+    std::chrono::steady_clock::time_point gpu_begin{};  ///< the epoch: not timed on the GPU
 };
 
 /// What the images of a scene take whose levels come and go.
@@ -29,9 +32,11 @@ struct TextureFeedback {
 struct Feedback {
     std::uint64_t frame = 0;
     std::vector<PassTiming> passes;
-    double gpu_frame_ms = 0.0;  ///< the frame's envelope on the GPU
-    double cpu_frame_ms = 0.0;  ///< render thread, submission included
-    std::uint32_t draws = 0;    ///< indirect commands drawn, all passes
+    double gpu_frame_ms = 0.0;                          ///< the frame's envelope on the GPU
+    double cpu_frame_ms = 0.0;                          ///< render thread, submission included
+    std::chrono::steady_clock::time_point cpu_begin{};  ///< of the frame
+    std::chrono::steady_clock::time_point gpu_begin{};  ///< of the envelope; the epoch: not timed
+    std::uint32_t draws = 0;                            ///< indirect commands drawn, all passes
     std::uint64_t triangles = 0;
     std::uint64_t gl_calls = 0;           ///< since the frame before, looks at fences left out
     std::uint64_t gl_state_changes = 0;   ///< of those, what binds or sets state

@@ -11,6 +11,7 @@
 #include "game/json_output.h"
 #include "game/options.h"
 #include "game/play_session.h"
+#include "game/run_trace.h"
 #include "game/window.h"
 #include "systems/position.h"
 
@@ -43,6 +44,7 @@ int run(const PlayCommand& command) {
     const tbb::global_control limit = worker_limit(command.options);
     require_display();
     prepare_json(command.options.json);
+    const std::unique_ptr<RunTrace> trace = begin_trace(command.options.trace);
     Stage stage =
         make_stage(command.options.scene, command.options.seed, command.options.time, command.options.origin);
     PlaySession session{stage};
@@ -51,10 +53,12 @@ int run(const PlayCommand& command) {
                                           .size_px = command.options.size_px,
                                           .walking = true,
                                           .quiet = command.options.quiet,
-                                          .frames = command.frames},
+                                          .frames = command.frames,
+                                          .trace = trace.get()},
                                          stage, command.options.settings_at(stage.exposure_ev),
                                          [&session](const Moment& moment) { return session.update(moment); });
     write_json(command.options.json, final_state(command, stage, session, frames));
+    if (trace) trace->finish();
     return k_done;
 }
 
@@ -76,6 +80,7 @@ Command add_play(CLI::App& program) {
         ->type_name("N")
         ->transform(whole_number());
     add_picture_options(*line, command->options);
+    add_trace_option(*line, command->options);
     add_message_options(*line, command->options);
     return {line, [command] {
                 return run(*command);

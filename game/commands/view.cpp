@@ -18,6 +18,7 @@
 #include "game/json_output.h"
 #include "game/model_view.h"
 #include "game/options.h"
+#include "game/run_trace.h"
 #include "game/view_session.h"
 #include "game/view_sheet.h"
 #include "game/window.h"
@@ -40,12 +41,12 @@ struct ViewCommand {
     const CLI::Option* size = nullptr;
 };
 
-int draw_picture(const ViewCommand& command) {
+int draw_picture(const ViewCommand& command, RunTrace* trace) {
     const fs::path& file = command.files[0];
     ModelView view = view_model(file, command.wishes);
     render::RenderThread thread{{.window = {}, .shaders = {}, .gl_errors_throw = false}};
     const ModelPicture picture =
-        draw_model(thread, view, command.out.extension() == ".exr", command.options.quiet, {});
+        draw_model(thread, view, command.out.extension() == ".exr", command.options.quiet, {}, trace);
     assets::write_image(command.out, picture.image);
     nlohmann::json json = picture_facts(view, picture);
     json["schema"] = "rambla.view/1";
@@ -65,7 +66,7 @@ int draw_sheet(const ViewCommand& command) {
     return k_done;
 }
 
-int show_window(const ViewCommand& command) {
+int show_window(const ViewCommand& command, RunTrace* trace) {
     const fs::path& file = command.files[0];
     ModelView view = view_model(file, command.wishes);
     ViewSession session{view};
@@ -74,6 +75,7 @@ int show_window(const ViewCommand& command) {
                                           .walking = false,
                                           .quiet = command.options.quiet,
                                           .frames = command.frames,
+                                          .trace = trace,
                                           .overlay_part =
                                               [&session] {
                                                   session.draw_overlay_part();
@@ -114,6 +116,7 @@ int run(ViewCommand& command) {
     const tbb::global_control limit = worker_limit(command.options);
     const bool sheet = command.files.size() > 1;
     if (sheet && command.frames > 0) throw std::invalid_argument{"--frames is for one file in a window"};
+    if (sheet && !command.options.trace.empty()) throw std::invalid_argument{"--trace is for one file"};
     if (sheet && command.size->count() == 0) command.options.size_px = k_cell_px;
     const bool windowed = !sheet && !command.options.headless && command.out.empty() && has_display();
     command.wishes.plays = windowed;
@@ -123,9 +126,13 @@ int run(ViewCommand& command) {
     command.wishes.own_shadows = command.shadows->count() > 0;
     command.wishes.own_exposure = command.options.exposure_given->count() > 0;
     command.wishes.time = command.options.time;
-    if (windowed) return show_window(command);
-    command.out = picture_file(command);
-    return sheet ? draw_sheet(command) : draw_picture(command);
+    if (!windowed) command.out = picture_file(command);
+    const std::unique_ptr<RunTrace> trace = begin_trace(command.options.trace);
+    const int exit_code = windowed ? show_window(command, trace.get())
+                          : sheet  ? draw_sheet(command)
+                                   : draw_picture(command, trace.get());
+    if (trace) trace->finish();
+    return exit_code;
 }
 
 }  // namespace
@@ -175,6 +182,7 @@ Command add_view(CLI::App& program) {
     add_time_option(*line, options);
     add_place_options(*line, options);
     add_picture_options(*line, options);
+    add_trace_option(*line, options);
     add_message_options(*line, options);
     command->shadows = line->get_option("--shadows");
     command->size = line->get_option("--size");

@@ -14,6 +14,7 @@
 #include "game/json_output.h"
 #include "game/options.h"
 #include "game/process_memory.h"
+#include "game/run_trace.h"
 #include "game/stage.h"
 #include "game/state_file.h"
 #include "game/walk_render.h"
@@ -49,6 +50,7 @@ nlohmann::json common_json(const WalkCommand& command, const Stage& stage, std::
 
 int simulate(const WalkCommand& command, Stage& stage) {
     if (!command.load_state.empty()) load_state_file(command.load_state, stage, command.options);
+    if (command.render.trace) command.render.trace->listen_to(*stage.world);
     for (std::uint64_t i = 0; i < command.steps; ++i)
         systems::step(*stage.world);
     if (!command.save_state.empty()) save_state_file(command.save_state, stage, command.options);
@@ -86,14 +88,19 @@ int compare(WalkCommand& command, Stage& stage) {
 
 int run(WalkCommand& command) {
     prepare_json(command.options.json);
+    const std::unique_ptr<RunTrace> trace = begin_trace(command.options.trace);
+    command.render.trace = trace.get();
     const tbb::global_control limit = worker_limit(command.options);
     const auto start = std::chrono::steady_clock::now();
     Stage stage =
         make_stage(command.options.scene, command.options.seed, command.options.time, command.options.origin);
     command.render.generating_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (command.no_render) return simulate(command, stage);
-    return command.compare ? compare(command, stage) : draw(command, stage);
+    const int exit_code = command.no_render ? simulate(command, stage)
+                          : command.compare ? compare(command, stage)
+                                            : draw(command, stage);
+    if (trace) trace->finish();
+    return exit_code;
 }
 
 }  // namespace
@@ -162,6 +169,7 @@ Command add_walk(CLI::App& program) {
         ->type_name("FILE")
         ->needs(no_render);
     add_picture_options(*line, options);
+    CLI::Option* const trace = add_trace_option(*line, options);
     add_message_options(*line, options);
     command->size_given = line->get_option("--size");
     CLI::Option* const compare = line->add_flag(
@@ -172,7 +180,7 @@ Command add_walk(CLI::App& program) {
             "on; "
             "writes no pictures",
             k_compare_size_px.x, k_compare_size_px.y, k_compare_frames));
-    for (CLI::Option* const other : {no_render, stats, out, format, profile, graph,
+    for (CLI::Option* const other : {no_render, stats, out, format, profile, graph, trace,
                                      line->get_option("--shadows"), line->get_option("--aa")})
         compare->excludes(other);
     return {line, [command] {

@@ -14,13 +14,17 @@ void count(CallKind kind) {
     if (g_depth == 0) ++g_counts.of_kind[static_cast<std::size_t>(kind)];
 }
 
-/// A wait for a fence is none where its time is 0: then it only asks.
+/// A wait for a fence is none where its time is 0: then it only asks. And so it is with the result of a query
+/// that is taken only if it is there.
 template <class... Arguments>
 CallKind kind_of_call(CallKind kind, const Arguments&...) {
     return kind;
 }
 CallKind kind_of_call(CallKind, GLsync, GLbitfield, GLuint64 timeout_ns) {
     return timeout_ns == 0 ? CallKind::poll : CallKind::pace;
+}
+CallKind kind_of_call(CallKind kind, GLuint, GLenum what, GLuint64*) {
+    return what == GL_QUERY_RESULT_NO_WAIT ? CallKind::query : kind;
 }
 
 /// Stands in libepoxy's table in the place of one function. That entry is a resolver at first, which puts

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "render/gl/object.h"
@@ -19,8 +20,8 @@ public:
 
     [[nodiscard]] GLuint name() const { return object_.name(); }
     [[nodiscard]] explicit operator bool() const { return static_cast<bool>(object_); }
-    /// The result; waits for it where the GPU has not come so far.
-    [[nodiscard]] std::uint64_t result() const;
+    /// The result, if the GPU has come so far; never waits.
+    [[nodiscard]] std::optional<std::uint64_t> result() const;
 
 private:
     Object<DeleteQuery> object_;

@@ -145,7 +145,7 @@ std::uint64_t memory_at(const State& state, std::uint32_t position) {
 
 }  // namespace
 
-void RenderGraph::execute(bool profile) {
+void RenderGraph::execute(PassTimers timers) {
     State& state = *state_;
     state.plan = &state.planner.plan(state.recording);
     const graph::Plan& plan = *state.plan;
@@ -161,7 +161,7 @@ void RenderGraph::execute(bool profile) {
             state.resources[r].memory = state.slots[plan.lifetimes[r].slot];
     }
 
-    state.timers.begin_frame(profile);
+    state.timers.begin_frame(timers);
     PassContext context{*this};
     for (std::uint32_t position = 0; position < plan.order.size(); ++position) {
         const State::PassInfo& pass = state.passes[plan.order[position]];

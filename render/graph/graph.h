@@ -130,11 +130,11 @@ public:
 
     [[nodiscard]] const gl::TextureDesc& desc(TextureHandle handle) const;
 
-    /// Runs the frame. @param profile  measures each pass on the GPU, at the price of a flush per pass
-    void execute(bool profile);
+    /// Runs the frame. @param timers  whether and how each pass is timed on the GPU
+    void execute(PassTimers timers = PassTimers::off);
 
-    /// Costs of the oldest executed frame not yet taken; asks the GPU for query results, so call it when that
-    /// frame's fence has passed. The reference is valid until the next call.
+    /// Costs of the oldest executed frame not yet taken. Never waits, so call it when that frame's fence has
+    /// passed: what the GPU has not done yet counts as not timed. The reference is valid until the next call.
     [[nodiscard]] const FrameCost& take_cost();
 
     /// The last executed frame as an SVG drawing: passes are columns in the order in which they ran (culled

@@ -1,78 +1,94 @@
 #include "render/graph/timers.h"
 
+#include <optional>
+
 #include "assets/assert.h"
 
 namespace rambla::render::graph {
 
 namespace {
 
-constexpr double k_ms_per_ns = 1e-6;
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::duration<double, std::milli>;
 
 void stamp(gl::Query& query) {
-    if (!query) query = gl::Query{"frame", GL_TIMESTAMP};
+    if (!query) query = gl::Query{"time stamp", GL_TIMESTAMP};
     glQueryCounter(query.name(), GL_TIMESTAMP);
+}
+
+void stamp_alone(gl::Query& query) {
+    stamp(query);
     glFlush();
 }
 
 }  // namespace
 
-void Timers::begin_frame(bool profile) {
+void Timers::begin_frame(PassTimers timers) {
     if (executed_ - taken_ == k_frames) ++taken_;  // nobody asked for the oldest
     Record& record = current();
-    record.profiled = profile;
+    record.timers = timers;
     record.cost.passes.clear();
-    record.draws.clear();
+    record.stamped.clear();
     record.cost.gpu_ms = 0.0;
-    if (profile) stamp(record.begin);
+    record.cost.gpu_begin = {};
+    if (timers == PassTimers::off) return;
+    clock_.compare();
+    stamp_alone(record.envelope.begin);
 }
 
 void Timers::begin_pass(const char* name, bool draws, std::uint64_t bytes_written,
                         std::uint64_t memory_bytes) {
     Record& record = current();
     const std::size_t index = record.cost.passes.size();
-    record.cost.passes.push_back(
-        {.name = name, .bytes_written = bytes_written, .memory_bytes = memory_bytes});
-    record.draws.push_back(draws ? 1 : 0);
-    if (index == record.elapsed.size()) record.elapsed.emplace_back();
-    if (record.profiled && draws) {
-        if (!record.elapsed[index]) record.elapsed[index] = gl::Query{"pass", GL_TIME_ELAPSED};
-        glBeginQuery(GL_TIME_ELAPSED, record.elapsed[index].name());
-        glFlush();
-    } else if (record.profiled) {
+    const bool timed = record.timers != PassTimers::off;
+    const bool stamped = timed && (draws || record.timers == PassTimers::stamped);
+    record.stamped.push_back(stamped ? 1 : 0);
+    if (index == record.spans.size()) record.spans.emplace_back();
+    if (stamped) {
+        stamp_alone(record.spans[index].begin);
+    } else if (timed) {
         glFinish();
     }
-    pass_begin_ = std::chrono::steady_clock::now();
+    record.cost.passes.push_back({.name = name,
+                                  .bytes_written = bytes_written,
+                                  .memory_bytes = memory_bytes,
+                                  .cpu_begin = Clock::now()});
 }
 
 void Timers::end_pass() {
     Record& record = current();
-    using Milliseconds = std::chrono::duration<double, std::milli>;
     PassCost& cost = record.cost.passes.back();
-    cost.cpu_ms = Milliseconds{std::chrono::steady_clock::now() - pass_begin_}.count();
-    if (!record.profiled) return;
-    if (record.draws.back() != 0) {
-        glEndQuery(GL_TIME_ELAPSED);
+    cost.cpu_ms = Milliseconds{Clock::now() - cost.cpu_begin}.count();
+    if (record.timers == PassTimers::off) return;
+    if (record.stamped.back() != 0) {
+        stamp(record.spans[record.cost.passes.size() - 1].end);
     } else {
         glFinish();
-        cost.gpu_ms = Milliseconds{std::chrono::steady_clock::now() - pass_begin_}.count();
+        cost.gpu_begin = cost.cpu_begin;
+        cost.gpu_ms = Milliseconds{Clock::now() - cost.cpu_begin}.count();
     }
 }
 
 void Timers::end_frame() {
-    if (current().profiled) stamp(current().end);
+    if (current().timers != PassTimers::off) stamp_alone(current().envelope.end);
     ++executed_;
 }
 
 const FrameCost& Timers::take() {
     RAMBLA_ASSERT(taken_ < executed_, "costs are taken once for each executed frame");
     Record& record = records_[taken_++ % k_frames];
-    if (record.profiled) {
-        for (std::size_t i = 0; i < record.cost.passes.size(); ++i) {
-            if (record.draws[i] == 0) continue;
-            record.cost.passes[i].gpu_ms = static_cast<double>(record.elapsed[i].result()) * k_ms_per_ns;
-        }
-        record.cost.gpu_ms = static_cast<double>(record.end.result() - record.begin.result()) * k_ms_per_ns;
+    if (record.timers == PassTimers::off) return record.cost;
+    const auto read = [this](const Span& span, auto& cost) {
+        const std::optional<std::uint64_t> begin_ns = span.begin.result();
+        const std::optional<std::uint64_t> end_ns = span.end.result();
+        if (!begin_ns || !end_ns) return;
+        cost.gpu_begin = clock_.moment(*begin_ns);
+        cost.gpu_ms = Milliseconds{clock_.moment(*end_ns) - cost.gpu_begin}.count();
+    };
+    for (std::size_t i = 0; i < record.cost.passes.size(); ++i) {
+        if (record.stamped[i] != 0) read(record.spans[i], record.cost.passes[i]);
     }
+    read(record.envelope, record.cost);
     return record.cost;
 }
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "support/trace_check.h"
 #include "system/pictures.h"
 #include "system/program.h"
 #include "system/sample_clips.h"
@@ -165,6 +166,22 @@ TEST_F(Window, HelpAndTimingsAreDrawnOverThePictureAndGoAgain) {
     EXPECT_TRUE(eventually([&] { return !help_shown(); }));
     EXPECT_TRUE(timings_shown());
     EXPECT_EQ(quit().exit_code, 0);
+}
+
+TEST_F(Window, ATraceHoldsEveryFrameAndStepOfAWalkOfOnesOwn) {
+    std::vector<std::string> arguments = k_play;
+    arguments.insert(arguments.end(), {"--trace", "t.json"});
+    start(arguments);
+    static_cast<void>(screenshot());
+    const Ended ended = quit();
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    const nlohmann::json result = nlohmann::json::parse(file_text(folder / "state.json"));
+    const tests::ReadTrace trace = tests::read_trace(file_text(folder / "t.json"));
+    EXPECT_EQ(tests::fault_of(trace), "");
+    EXPECT_EQ(trace.of("frame,gpu").size(), result["frames"].get<std::size_t>());
+    EXPECT_EQ(trace.of("look").size(), result["frames"].get<std::size_t>());
+    EXPECT_EQ(trace.of("step").size(), result["steps"].get<std::size_t>());
+    EXPECT_EQ(tests::ReadTrace::counts(trace.of("pass,gpu"))["tonemap"], result["frames"].get<std::size_t>());
 }
 
 TEST_F(Window, AGivenNumberOfFramesEndsByItself) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "render/gl/context.h"
+#include "render/gl/query.h"
 
 namespace rambla::render::gl {
 namespace {
@@ -66,6 +67,21 @@ TEST(GlCalls, AreCountedByKindFromTheFirstOneOn) {
     EXPECT_EQ(counts[CallKind::wait], 1u);
     EXPECT_EQ(counts[CallKind::draw], 0u);
     EXPECT_EQ(counts.total(), 8u);
+}
+
+TEST(GlCalls, AResultThatIsTakenOnlyIfItIsThereIsNoWait) {
+    const Context context{{}, true};
+    const Query query{"stamp", GL_TIMESTAMP};
+    glQueryCounter(query.name(), GL_TIMESTAMP);
+    glFinish();
+    const CallCounts before = calls();
+    EXPECT_TRUE(query.result().has_value());
+    EXPECT_EQ((calls() - before)[CallKind::wait], 0u);
+    EXPECT_EQ((calls() - before)[CallKind::query], 1u);
+    GLuint64 waited_for = 0;
+    glGetQueryObjectui64v(query.name(), GL_QUERY_RESULT, &waited_for);
+    EXPECT_EQ((calls() - before)[CallKind::wait], 1u);
+    EXPECT_EQ(query.result(), waited_for);
 }
 
 TEST(GlCalls, AnotherContextGoesOnCounting) {

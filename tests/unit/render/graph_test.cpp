@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
+
+#include "render/gl/calls.h"
 #include "render/gl/program.h"
 #include "render/graph/pool.h"
 #include "unit/render/gl_fixture.h"
@@ -56,7 +60,7 @@ TEST_F(Graph, ClearsBindsAndHandsTexturesOn) {
             screen = pass.write_colour(0, screen, LoadOp::discard);
         },
         [this, drawn](PassContext& context) { copy(context, drawn, screen_.name()); });
-    graph_.execute(false);
+    graph_.execute();
     EXPECT_EQ(seen, k_size);
     EXPECT_EQ(first_texel(screen_), glm::vec4(0.25f, 0.5f, 0.75f, 1.0f));
 }
@@ -72,7 +76,7 @@ TEST_F(Graph, GivesNeitherCallsNorMemoryToAPassThatNobodyReads) {
         },
         [&ran](PassContext&) { ran = true; });
     const gl::LiveCounts before = gl::live_counts();
-    graph_.execute(false);
+    graph_.execute();
     EXPECT_FALSE(ran);
     EXPECT_EQ(graph_.pool_bytes(), 0u);
     EXPECT_EQ(gl::live_counts().objects, before.objects);
@@ -81,7 +85,7 @@ TEST_F(Graph, GivesNeitherCallsNorMemoryToAPassThatNobodyReads) {
 
 /// A chain of `length` full targets, each made from the one before; returns their GL names.
 std::vector<GLuint> run_chain(RenderGraph& graph, const gl::Texture& screen_texture, int length,
-                              bool profile = false) {
+                              PassTimers timers = PassTimers::off) {
     std::vector<GLuint> names;
     graph.begin_frame();
     TextureHandle screen = graph.import_texture("screen", screen_texture, true);
@@ -112,7 +116,7 @@ std::vector<GLuint> run_chain(RenderGraph& graph, const gl::Texture& screen_text
             screen = pass.write_colour(0, screen, LoadOp::clear);
         },
         [](PassContext&) {});
-    graph.execute(profile);
+    graph.execute(timers);
     return names;
 }
 
@@ -171,7 +175,7 @@ TEST_F(Graph, CountsTheBytesThatAttachmentsMayWrite) {
                 LoadOp::clear));
         },
         [](PassContext&) {});
-    graph_.execute(false);
+    graph_.execute();
     const FrameCost& cost = graph_.take_cost();
     ASSERT_EQ(cost.passes.size(), 1u);
     EXPECT_EQ(cost.passes[0].bytes_written, k_size.x * k_size.y * (16u + 4u));
@@ -179,9 +183,10 @@ TEST_F(Graph, CountsTheBytesThatAttachmentsMayWrite) {
 }
 
 TEST_F(Graph, TimesPassesOnlyWhenProfiled) {
-    static_cast<void>(run_chain(graph_, screen_, 2, false));
+    static_cast<void>(run_chain(graph_, screen_, 2));
     EXPECT_EQ(graph_.take_cost().gpu_ms, 0.0);
-    static_cast<void>(run_chain(graph_, screen_, 2, true));
+    static_cast<void>(run_chain(graph_, screen_, 2, PassTimers::alone));
+    glFinish();
     const FrameCost& cost = graph_.take_cost();
     EXPECT_GT(cost.gpu_ms, 0.0);
     double sum = 0.0;
@@ -189,6 +194,78 @@ TEST_F(Graph, TimesPassesOnlyWhenProfiled) {
         sum += pass.gpu_ms;
     EXPECT_GT(sum, 0.0);
     EXPECT_LE(sum, cost.gpu_ms) << "passes follow each other inside the envelope";
+}
+
+TEST_F(Graph, TellsWhereInTimePassesRanWithoutWaitingForThem) {
+    using Clock = std::chrono::steady_clock;
+    static_cast<void>(run_chain(graph_, screen_, 2, PassTimers::stamped));  // makes the queries
+    glFinish();
+    static_cast<void>(graph_.take_cost());
+    const gl::CallCounts before = gl::calls();
+    const Clock::time_point begin = Clock::now();
+    static_cast<void>(run_chain(graph_, screen_, 2, PassTimers::stamped));
+    const Clock::time_point submitted = Clock::now();
+    EXPECT_EQ((gl::calls() - before)[gl::CallKind::wait], 0u);
+    glFinish();
+    const Clock::time_point end = Clock::now();
+    const FrameCost& cost = graph_.take_cost();
+    // Reading two clocks one after the other errs by less than this, unless the thread is put aside between.
+    constexpr std::chrono::milliseconds k_error{1};
+    const auto after = [](Clock::time_point from, double ms) {
+        return from + std::chrono::nanoseconds{std::llround(1e6 * ms)};
+    };
+    EXPECT_GE(cost.gpu_begin, begin - k_error);
+    EXPECT_LE(after(cost.gpu_begin, cost.gpu_ms), end + k_error);
+    ASSERT_EQ(cost.passes.size(), 5u);
+    Clock::time_point gpu = cost.gpu_begin;
+    Clock::time_point cpu = begin;
+    for (const PassCost& pass : cost.passes) {
+        EXPECT_GE(pass.cpu_begin, cpu) << pass.name;
+        EXPECT_GE(pass.gpu_begin, gpu) << pass.name << ": passes do not overlap";
+        cpu = after(pass.cpu_begin, pass.cpu_ms);
+        gpu = after(pass.gpu_begin, pass.gpu_ms);
+    }
+    EXPECT_LE(cpu, submitted);
+    EXPECT_LE(gpu, after(cost.gpu_begin, cost.gpu_ms));
+}
+
+TEST_F(Graph, TellsPassesWithTheSameTargetApart) {
+    gl::ProgramRegistry programs{[](const std::string& path) -> std::string {
+        if (path == "corner.glsl") {
+            return "void main() { gl_Position = vec4(4.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0,"
+                   " 0.0, 1.0); }\n";
+        }
+        return "layout(location = 0) out vec4 colour;\n"
+               "void main() { float x = gl_FragCoord.x;\n"
+               "for (int i = 0; i < 200; ++i) x = sin(x);\n"
+               "colour = vec4(x); }\n";
+    }};
+    const gl::Program& slow = programs.get(
+        {.name = "slow", .vertex = "corner.glsl", .fragment = "slow.glsl", .compute = {}, .defines = {}});
+    // Several tiles of llvmpipe's 64x64: in one alone, stamps are taken where they stand even without a
+    // flush.
+    const gl::Texture large{"large", {.format = GL_RGBA32F, .size = {192, 192}}};
+    for (int frame = 0; frame < 2; ++frame) {
+        graph_.begin_frame();
+        TextureHandle screen = graph_.import_texture("screen", large, true);
+        graph_.add_pass(
+            "clear", [&](PassBuilder& pass) { screen = pass.write_colour(0, screen, LoadOp::clear); },
+            [](PassContext&) {});
+        graph_.add_pass(
+            "slow", [&](PassBuilder& pass) { screen = pass.write_colour(0, screen, LoadOp::load); },
+            [&slow](PassContext& context) {
+                slow.use();
+                context.draw_full_screen();
+            });
+        graph_.execute(PassTimers::stamped);
+        glFinish();
+        const FrameCost& cost = graph_.take_cost();
+        if (frame == 0) continue;  // compiles
+        ASSERT_EQ(cost.passes.size(), 2u);
+        // A clear takes microseconds, seven million sines many milliseconds. Stamps that are not flushed are
+        // taken in the last tile, where all others are done: the clear then has most of the time.
+        EXPECT_GT(cost.passes[1].gpu_ms, 0.8 * cost.gpu_ms);
+    }
 }
 
 TEST_F(Graph, MakesStorageWritesVisibleToReaders) {
@@ -230,7 +307,7 @@ TEST_F(Graph, MakesStorageWritesVisibleToReaders) {
             glBindImageTexture(0, context.texture(screen), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
             glDispatchCompute(1, 1, 1);
         });
-    graph_.execute(false);
+    graph_.execute();
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     EXPECT_EQ(first_texel(screen_), glm::vec4(189.0f, 3.0f, 0.0f, 1.0f));
 }
@@ -247,7 +324,7 @@ TEST_F(Graph, DrawsItselfWithCulledPassesDashed) {
             static_cast<void>(pass.write_colour(0, pass.create_texture("lost", {}), LoadOp::clear));
         },
         [](PassContext&) {});
-    graph_.execute(false);
+    graph_.execute();
     const std::string svg = graph_.svg();
     EXPECT_THAT(svg, testing::StartsWith("<svg"));
     EXPECT_THAT(svg, HasSubstr("first &amp; last"));

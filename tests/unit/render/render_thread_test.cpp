@@ -150,7 +150,7 @@ TEST(RenderThread, DrawsTheGraphAndTimesPassesOnRequest) {
     FrameInput& input = thread.begin();
     fill(input, 0);
     input.draw_graph = true;
-    input.profile = true;
+    input.timers = PassTimers::alone;
     thread.submit();
     thread.finish();
     const std::vector<FrameOutput> outputs = thread.collect();
