@@ -249,13 +249,14 @@ TEST_F(RunTraces, EverySystemOfEveryStepIsThere) {
             EXPECT_EQ(runs.count({system.name, step}), 1u) << system.name << " in step " << step;
     }
     EXPECT_EQ(runs.size(), k_steps * simulation.schedule->plan().systems.size());
-    ASSERT_EQ(read.of("step").size(), k_steps);
+    const std::vector<ReadSpan> steps = read.of("step");
+    ASSERT_EQ(steps.size(), k_steps);
     ASSERT_EQ(read.of("look").size(), 1u);
-    EXPECT_EQ(read.track_names.at(read.of("step")[0].track), "main");
+    EXPECT_EQ(read.track_names.at(steps[0].track), "main");
     // A step lasts from before its first system to after its last.
     for (const ReadSpan& span : read.of("system")) {
         if (!span.args.contains("step")) continue;
-        const ReadSpan& step = read.of("step")[span.args["step"].get<std::size_t>() - 2];
+        const ReadSpan& step = steps[span.args["step"].get<std::size_t>() - 2];
         EXPECT_GE(span.begin_ns, step.begin_ns) << span.name;
         EXPECT_LE(span.end_ns, step.end_ns) << span.name;
     }
