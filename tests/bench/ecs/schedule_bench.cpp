@@ -256,7 +256,7 @@ void parallel_bare_2threads(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-/// Keeps a core's units for arithmetic busy without touching memory.
+/// Keeps a core's units for arithmetic busy within the first-level cache.
 void exercise(std::size_t rounds) {
     constexpr std::size_t k_lanes = 64;
     std::array<float, k_lanes> value{};

@@ -47,23 +47,30 @@ void measure(bench::Setting& setting, render::RenderThread& thread, std::uint32_
         bench::measure(stage, thread, bench::ways(setting.lights), setting.view, setting.size_px, rounds);
 }
 
-void write_json(const std::string& path, const std::vector<bench::Setting>& settings,
+/// Opened before anything is measured, which takes minutes.
+std::ofstream opened(const std::string& path) {
+    std::ofstream file{path};
+    if (!path.empty() && !file) throw std::runtime_error{"cannot write '" + path + "'"};
+    return file;
+}
+
+void write_json(std::ofstream& file, const std::vector<bench::Setting>& settings,
                 const bench::Machine& machine) {
     nlohmann::json json{{"schema", "rambla.bench.render/1"}, {"settings", nlohmann::json::array()}};
     for (const auto& [name, value] : machine)
         json["machine"][name] = value;
     for (const bench::Setting& setting : settings)
         json["settings"].push_back(bench::to_json(setting));
-    std::ofstream file{path};
     file << json.dump(1) << '\n';
     file.close();
-    if (!file) throw std::runtime_error{"cannot write '" + path + "'"};
+    if (!file) throw std::runtime_error{"the results cannot be written"};
 }
 
 int run(const Options& options) {
+    std::ofstream file = opened(options.json);
     const bench::Machine machine = bench::this_machine(static_cast<int>(std::thread::hardware_concurrency()));
     render::RenderThread thread{
-        {.window = {}, .shaders = {}, .gl_errors_throw = false, .compile_ahead = false}};
+        {.window = {}, .shaders = {}, .gl_errors_throw = false, .compile_ahead = false, .compile_for = {}}};
     std::fputs(bench::to_text(machine).c_str(), stdout);
     std::fputs(fmt::format("\nrenderer          {}\n\n", thread.device().renderer).c_str(), stdout);
     std::vector<bench::Setting> measured;
@@ -78,7 +85,7 @@ int run(const Options& options) {
         }
     }
     std::fputs(bench::verdict(measured).c_str(), stdout);
-    if (!options.json.empty()) write_json(options.json, measured, machine);
+    if (!options.json.empty()) write_json(file, measured, machine);
     return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "game/compare.h"
 #include "systems/pipeline.h"
 
 namespace rambla::bench {
@@ -22,11 +23,9 @@ bool is_one_of(const std::array<std::string_view, N>& names, std::string_view na
 }
 
 Way way(std::string name, LightingPath path, bool prepass = false) {
-    render::Settings settings;
+    render::Settings settings = game::compare_settings({}, "blocks");
     settings.lighting.path = path;
     settings.lighting.prepass = prepass;
-    settings.shadows.size_texels = 2048;
-    settings.shadows.distance_m = 400.0f;
     return {std::move(name), settings};
 }
 
@@ -34,11 +33,13 @@ void note(WayCost& cost, const systems::Feedback& feedback, std::size_t round) {
     double known = 0.0;
     double lighting = 0.0;
     double surfaces = 0.0;
+    double cpu = 0.0;
     for (const systems::PassTiming& pass : feedback.passes) {
         std::vector<double>& ms = cost.passes[pass.name];
         ms.resize(round);
         ms.push_back(pass.gpu_ms);
         known += pass.gpu_ms;
+        cpu += pass.cpu_ms;
         if (is_one_of(k_lighting, pass.name)) lighting += pass.gpu_ms;
         if (is_one_of(k_also_surfaces, pass.name)) surfaces += pass.gpu_ms;
     }
@@ -46,7 +47,7 @@ void note(WayCost& cost, const systems::Feedback& feedback, std::size_t round) {
     cost.surfaces.push_back(lighting + surfaces);
     cost.frame.push_back(feedback.gpu_frame_ms);
     cost.missing.push_back(feedback.gpu_frame_ms - known);
-    cost.cpu.push_back(feedback.cpu_frame_ms);
+    cost.cpu.push_back(cpu);
 }
 
 systems::Feedback draw(game::Stage& stage, render::RenderThread& thread, const render::Settings& settings,
@@ -55,7 +56,7 @@ systems::Feedback draw(game::Stage& stage, render::RenderThread& thread, const r
     systems::build_frame(*stage.world, eye, 1.0f, input.frame);
     input.settings = settings;
     input.settings.tone.exposure_ev = stage.exposure_ev;
-    input.profile = true;
+    input.timers = render::PassTimers::alone;
     input.complete_textures = true;
     thread.submit();
     thread.finish();

@@ -25,7 +25,7 @@ struct WayCost {
     std::vector<double> surfaces;  ///< from geometry to lit pixels: what deferred and forward do differently
     std::vector<double> frame;     ///< first command to last
     std::vector<double> missing;   ///< of the frame, that no pass accounts for
-    std::vector<double> cpu;       ///< of the render thread, to record and submit the frame
+    std::vector<double> cpu;       ///< of the render thread, to record the passes and hand them to the driver
 };
 
 /// The ways that draw a scene with so many lights. `fullscreen` and `volumes`, whose lists are the frame's

@@ -52,7 +52,9 @@ TEST(RenderBenchTable, JudgesTheCulledPathWhereItIsMeantToBeJudged) {
 TEST(RenderBenchTable, ShowsMediansAndTheRatiosOfEqualPictures) {
     const std::string text = to_text(measured(64, {1280, 720}, 1.0));
     const auto has_line = [&](std::string_view name, std::string_view first, std::string_view second) {
-        const std::size_t at = text.find("\n" + std::string{name} + " ");
+        std::string start{'\n'};
+        start.append(name).append(" ");
+        const std::size_t at = text.find(start);
         const std::string line =
             at == std::string::npos ? "" : text.substr(at + 1, text.find('\n', at + 1) - at - 1);
         const std::size_t a = line.find(first);

@@ -148,10 +148,10 @@ TEST(Lights, DirectionalOnesAreFoundWhereverTheyStand) {
 
 TEST(Lights, DirectionIsAUnitVectorUnderAnyScale) {
     for (const float scale : {1e-30f, 1.0f, 1e30f}) {
-        const FrameLight light = frame_light({}, {glm::mat3{scale}, {}});
+        const FrameLight light = frame_light(LocalLight{}, {glm::mat3{scale}, {}});
         EXPECT_EQ(light.direction, glm::vec3(0, 0, -1)) << scale;
     }
-    EXPECT_EQ(frame_light({}, {glm::mat3{0.0f}, {}}).direction, glm::vec3(0, -1, 0));
+    EXPECT_EQ(frame_light(LocalLight{}, {glm::mat3{0.0f}, {}}).direction, glm::vec3(0, -1, 0));
 }
 
 }  // namespace
