@@ -52,7 +52,10 @@ public:
           interface_{window_.handle()},
           overlay_{settings_, options.overlay_part},
           shaders_{ShaderFolder::of_build()},
-          thread_{{.window = window_.context(), .shaders = shaders_.source(), .gl_errors_throw = false}} {
+          thread_{{.window = window_.context(),
+                   .shaders = shaders_.source(),
+                   .gl_errors_throw = false,
+                   .compile_for = settings}} {
         hud_.walking = options.walking;
         hand_over(prepare_scene(*stage.scene, thread_.device(), options.quiet), stage, thread_);
         if (options.trace) options.trace->listen_to(*stage.world);
@@ -130,7 +133,7 @@ private:
 
     std::shared_ptr<const void> build_interface(const Shot& shot, double elapsed_s) {
         hud_.picture_ms = 1000.0 * elapsed_s;
-        interface_.begin_frame();
+        interface_.begin_frame(window_.size_px());
         draw_hud(hud_, timings_);
         if (show_overlay_) {
             overlay_.draw({.counts = counts_,

@@ -78,7 +78,8 @@ render::Settings compare_settings(render::Settings settings, std::string_view sc
 
 CompareMeasures run_compare(Stage& stage, const Options& options, std::uint32_t frames) {
     const render::Settings settings = compare_settings(options.settings_at(stage.exposure_ev), options.scene);
-    render::RenderThread thread{{.window = {}, .shaders = {}, .gl_errors_throw = false}};
+    render::RenderThread thread{
+        {.window = {}, .shaders = {}, .gl_errors_throw = false, .compile_for = settings}};
     hand_over(prepare_scene(*stage.scene, thread.device(), options.quiet), stage, thread);
     thread.finish();
     CompareMeasures measures{.scene = options.scene, .size_px = options.size_px, .frames = frames};

@@ -3,6 +3,8 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
+#include "game/x11_watch.h"
+
 namespace rambla::game {
 
 Interface::Interface(GLFWwindow* window) {
@@ -22,8 +24,12 @@ Interface::~Interface() {
     ImGui::DestroyContext();
 }
 
-void Interface::begin_frame() {
+void Interface::begin_frame(glm::uvec2 size_px) {
     ImGui_ImplGlfw_NewFrame();
+    if (x11_window_lost()) {  // what it has just asked GLFW for may be anything
+        ImGui::GetIO().DisplaySize = {static_cast<float>(size_px.x), static_cast<float>(size_px.y)};
+        ImGui::GetIO().DisplayFramebufferScale = {1.0f, 1.0f};
+    }
     ImGui::NewFrame();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/glm.hpp>
+
 struct GLFWwindow;
 struct ImDrawData;
 
@@ -13,7 +15,8 @@ public:
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
-    void begin_frame();
+    /// @param size_px  of the window
+    void begin_frame(glm::uvec2 size_px);
     /// What was built since begin_frame(); valid until the next begin_frame().
     [[nodiscard]] const ImDrawData& end_frame();
     /// Whether the pointer belongs to a panel of the interface.

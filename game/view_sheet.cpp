@@ -34,7 +34,11 @@ public:
           wishes_{wishes},
           sheet_{static_cast<std::uint32_t>(files.size()), wishes.size_px, wishes.size_px.x},
           // Each scene is seen once: programs that it does not need are not worth compiling.
-          thread_{{.window = {}, .shaders = {}, .gl_errors_throw = false, .compile_ahead = false}} {}
+          thread_{{.window = {},
+                   .shaders = {},
+                   .gl_errors_throw = false,
+                   .compile_ahead = false,
+                   .compile_for = {}}} {}
 
     nlohmann::json draw(std::uint32_t cell) {
         const fs::path& file = files_[cell];

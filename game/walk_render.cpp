@@ -69,7 +69,8 @@ public:
         thread_.emplace(
             render::RenderThreadOptions{.window = window_ ? window_->context() : render::WindowContext{},
                                         .shaders = {},
-                                        .gl_errors_throw = false});
+                                        .gl_errors_throw = false,
+                                        .compile_for = settings_});
         upload();
         measures_.scene = options.scene;
         measures_.seed = options.seed;

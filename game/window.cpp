@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "game/exit_code.h"
+#include "game/x11_watch.h"
 
 namespace rambla::game {
 namespace {
@@ -67,6 +68,7 @@ Window::Window(glm::uvec2 size_px, const std::string& title, bool resizable) {
                         "offers",
                         reason)};
     }
+    watch_x11(window_);
 }
 
 Window::~Window() {
@@ -88,11 +90,12 @@ render::WindowContext Window::context() const {
 }
 
 void Window::poll() {
+    watch_x11(window_);
     glfwPollEvents();
 }
 
 bool Window::closing() const {
-    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+    return glfwWindowShouldClose(window_) == GLFW_TRUE || x11_window_lost();
 }
 
 void Window::close() {
@@ -102,7 +105,9 @@ void Window::close() {
 glm::uvec2 Window::size_px() const {
     glm::ivec2 size{0};
     glfwGetFramebufferSize(window_, &size.x, &size.y);
-    return glm::uvec2{glm::max(size, 0)};
+    // GLFW does not ask whether the server knows: of a window that is gone, it gives whatever is in memory.
+    if (!x11_window_lost()) size_px_ = glm::max(size, 0);
+    return size_px_;
 }
 
 void Window::toggle_full_screen() {

@@ -29,10 +29,11 @@ public:
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
 
     void poll();  ///< delivers events to whoever has set callbacks
+    /// By its user, by close(), or since somebody has destroyed it.
     [[nodiscard]] bool closing() const;
     void close();
 
-    /// Zero while the window is minimised.
+    /// Zero while the window is minimised; the last one where it has been destroyed.
     [[nodiscard]] glm::uvec2 size_px() const;
     void toggle_full_screen();
     /// Hides the pointer and delivers endless motion, or gives it back.
@@ -40,7 +41,8 @@ public:
 
 private:
     GLFWwindow* window_ = nullptr;
-    glm::ivec2 place_before_{0};  ///< position and size to return to from full screen
+    mutable glm::uvec2 size_px_{0};  ///< when it was last asked for
+    glm::ivec2 place_before_{0};     ///< position and size to return to from full screen
     glm::ivec2 size_before_{0};
 };
 

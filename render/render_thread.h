@@ -24,6 +24,7 @@ struct RenderThreadOptions {
     ShaderSource shaders;          ///< empty: the texts embedded at build
     bool gl_errors_throw = false;  ///< GL debug messages of high or medium severity become errors (tests)
     bool compile_ahead = true;  ///< draws every program once when a scene arrives, so that none hitches later
+    Settings compile_for;       ///< what frames will ask for at first: decides which programs these are
 };
 
 struct FrameInput {

@@ -75,6 +75,7 @@ struct Renderer::State {
         : context{options.window, options.gl_errors_throw},
           device{tell_device(on_device)},
           compile_ahead{options.compile_ahead},
+          compile_for{options.compile_for},
           programs{options.shaders},
           samplers{make_samplers()},
           scene_passes{programs},
@@ -89,6 +90,7 @@ struct Renderer::State {
     gl::Context context;
     DeviceInfo device;
     bool compile_ahead;
+    Settings compile_for;
     gl::ProgramRegistry programs;
     SceneStore scene;
     gl::StreamBuffer stream{"stream", k_stream_bytes};
@@ -126,7 +128,7 @@ void Renderer::upload(const assets::Scene& scene, const assets::ProcessedScene& 
                       std::shared_ptr<assets::LevelSource> source) {
     state_->scene.upload(processed, std::move(source));
     if (!state_->compile_ahead) return;
-    for (const FrameInput& input : warm_up_frames(scene))
+    for (const FrameInput& input : warm_up_frames(scene, state_->compile_for))
         state_->draw(input, true);
 }
 

@@ -123,19 +123,21 @@ systems::Frame warm_up_frame(const assets::Scene& scene) {
 
 }  // namespace
 
-std::vector<FrameInput> warm_up_frames(const assets::Scene& scene) {
+std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Settings& settings) {
     std::vector<FrameInput> inputs;
     const systems::Frame frame = warm_up_frame(scene);
     for (const bool emissive : {false, true}) {
-        for (std::size_t i = 0; i < k_tone_curves.size(); ++i) {
+        constexpr std::size_t k_ways = 4;  // with and without a shadow, with and without lamps
+        for (std::size_t i = 0; i < k_ways; ++i) {
             FrameInput input;
             input.frame = frame;
             input.frame.emissive = emissive;
-            if (i == 2) input.frame.lights.clear();
-            input.settings.tone.curve = static_cast<ToneCurve>(i);
+            if (i >= 2) input.frame.lights.clear();
+            input.settings = settings;
+            input.settings.tone.curve = static_cast<ToneCurve>(i % k_tone_curves.size());
             input.settings.anti_aliasing.method =
                 static_cast<AntiAliasing>(i % k_anti_aliasing_methods.size());
-            input.settings.shadows.method = i == 0 ? ShadowMethod::off : ShadowMethod::focused;
+            input.settings.shadows.method = i % 3 == 0 ? ShadowMethod::off : ShadowMethod::focused;
             input.settings.shadows.size_texels = 256;
             input.settings.shadows.taps = i == 1 ? ShadowTaps::four : ShadowTaps::sixteen;
             inputs.push_back(std::move(input));

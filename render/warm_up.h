@@ -8,8 +8,9 @@
 namespace rambla::render {
 
 /// Small frames that between them make every pass draw with every material of a scene, under every choice of
-/// the settings that picks another program: drivers compile for the state in which a program is first used,
-/// up to 400 ms on the software rasteriser, so this is spent before the first real frame.
-[[nodiscard]] std::vector<FrameInput> warm_up_frames(const assets::Scene& scene);
+/// tone curve, anti-aliasing and shadows that picks another program, and else under the given settings:
+/// drivers compile for the state in which a program is first used, up to 400 ms on the software rasteriser,
+/// so this is spent before the first real frame.
+[[nodiscard]] std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Settings& settings);
 
 }  // namespace rambla::render

@@ -44,7 +44,8 @@ struct ViewCommand {
 int draw_picture(const ViewCommand& command, RunTrace* trace) {
     const fs::path& file = command.files[0];
     ModelView view = view_model(file, command.wishes);
-    render::RenderThread thread{{.window = {}, .shaders = {}, .gl_errors_throw = false}};
+    render::RenderThread thread{
+        {.window = {}, .shaders = {}, .gl_errors_throw = false, .compile_for = view.settings}};
     const ModelPicture picture =
         draw_model(thread, view, command.out.extension() == ".exr", command.options.quiet, {}, trace);
     assets::write_image(command.out, picture.image);

@@ -13,6 +13,7 @@
 #include "system/pictures.h"
 #include "system/program.h"
 #include "system/sample_clips.h"
+#include "system/x11_client.h"
 
 namespace rambla::system_test {
 namespace {
@@ -121,6 +122,50 @@ TEST_F(Window, AHeldKeyWalksAndEscapeQuits) {
     // W leads where the eye looks.
     const double yaw = stood["yaw_deg"].get<double>() * M_PI / 180.0;
     EXPECT_GT(-std::sin(yaw) * x - std::cos(yaw) * z, 0.1);
+}
+
+TEST_F(Window, ClosedByItsUserEndsAsByEscape) {
+    start(k_play);
+    static_cast<void>(screenshot());  // it is being drawn
+    ASSERT_TRUE(ask_to_close(display, window));
+    const Ended ended = program->wait(k_patience);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_TRUE(fs::exists(folder / "state.json"));
+}
+
+TEST_F(Window, DestroyedFromOutsideEndsAsByEscape) {
+    for (int moment = 0; moment < 6; ++moment) {  // another one in a frame each time
+        fs::remove(folder / "state.json");
+        start(k_play);
+        static_cast<void>(screenshot());
+        static_cast<void>(xdotool({"windowclose", window}));
+        const Ended ended = program->wait(k_patience);
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        EXPECT_TRUE(fs::exists(folder / "state.json"));
+    }
+}
+
+TEST_F(Window, WithoutItsServerEndsByOneLine) {
+    start(k_play);
+    static_cast<void>(screenshot());
+    server->terminate();
+    const Ended ended = program->wait(k_patience);
+    EXPECT_EQ(ended.exit_code, 3);
+    EXPECT_THAT(ended.err,
+                testing::EndsWith("error: the X server '" + display + "' is gone, and the window with it\n"));
+}
+
+TEST_F(Window, MayChangeItsSizeToAnythingWhileItIsDrawn) {
+    start(k_play);
+    for (const auto& [width, height] :
+         {std::pair{"161", "91"}, {"1", "1"}, {"640", "1"}, {"1", "480"}, {"333", "217"}}) {
+        static_cast<void>(xdotool({"windowsize", "--sync", window, width, height}));
+        const assets::Image picture = screenshot();
+        EXPECT_EQ(std::to_string(picture.width) + "x" + std::to_string(picture.height),
+                  std::string{width} + "x" + height);
+    }
+    const Ended ended = quit();
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
 }
 
 TEST_F(Window, ShiftMakesTheScreenshotLinear) {

@@ -62,7 +62,7 @@ struct Walk {
     render::Settings settings;
     std::vector<std::uint8_t> demand;  ///< of the last frame
     render::RenderThread thread{
-        {.window = {}, .shaders = {}, .gl_errors_throw = true, .compile_ahead = false}};
+        {.window = {}, .shaders = {}, .gl_errors_throw = true, .compile_ahead = false, .compile_for = {}}};
 };
 
 double mean_byte(const assets::Image& image) {

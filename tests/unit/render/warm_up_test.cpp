@@ -55,6 +55,12 @@ assets::Scene all_kinds() {
             }
         }
     }
+    for (const auto mode : {assets::AlphaMode::opaque, assets::AlphaMode::mask, assets::AlphaMode::blend}) {
+        assets::Material material;
+        material.alpha_mode = mode;
+        material.specular_texture.texture = 0;
+        add(material, 0);
+    }
     add({}, 1);
     add({}, 2);
     model.parts.push_back({.mesh = 0, .material = assets::k_none});
@@ -65,10 +71,42 @@ assets::Scene all_kinds() {
 
 TEST(WarmUp, DrawsEveryMaterialOnceForEachWayToDeform) {
     const assets::Scene scene = all_kinds();
-    for (const FrameInput& input : warm_up_frames(scene)) {
+    for (const FrameInput& input : warm_up_frames(scene, {})) {
         EXPECT_EQ(input.frame.opaque.size() + input.frame.blended.size(), scene.materials.size() + 1 + 3);
-        EXPECT_EQ(input.frame.blended.size(), 4u);
+        EXPECT_EQ(input.frame.blended.size(), 5u);
         EXPECT_EQ(input.frame.casters.size(), input.frame.opaque.size());
+    }
+}
+
+TEST(WarmUp, IsForTheSettingsThatFramesWillHave) {
+    const assets::Scene scene = all_kinds();
+    for (std::size_t path = 0; path < k_lighting_paths.size(); ++path) {
+        auto texts = std::make_shared<std::atomic<int>>(0);
+        RenderThreadOptions options;
+        options.gl_errors_throw = true;
+        options.shaders = [texts](const std::string& name) {
+            ++*texts;
+            return embedded_shader(name);
+        };
+        options.compile_for.lighting.path = static_cast<LightingPath>(path);
+        options.compile_for.lighting.prepass = path % 2 == 1;
+        options.compile_for.gbuffer.layout = GBufferLayout::wide;
+        options.compile_for.brdf.model = Brdf::blinn;
+        Renderer renderer{options};
+        renderer.upload(scene, *tests::quick_process(scene));
+        const int compiled = *texts;
+        FrameInput input = warm_up_frames(scene, {}).front();
+        input.settings = options.compile_for;
+        const std::vector<systems::FrameLight> lamps = input.frame.lights;
+        ASSERT_FALSE(lamps.empty());
+        for (const bool emissive : {false, true}) {
+            for (const bool lit : {false, true}) {
+                input.frame.emissive = emissive;
+                input.frame.lights = lit ? lamps : std::vector<systems::FrameLight>{};
+                renderer.draw(input);
+            }
+        }
+        EXPECT_EQ(*texts, compiled) << k_lighting_paths[path];
     }
 }
 
@@ -86,7 +124,9 @@ TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
     const int compiled = *texts;
     EXPECT_GT(compiled, 0);
 
-    FrameInput input = warm_up_frames(scene).front();
+    FrameInput input = warm_up_frames(scene, {}).front();
+    const std::vector<systems::FrameLight> lamps = input.frame.lights;
+    ASSERT_FALSE(lamps.empty());
     for (const bool emissive : {false, true}) {
         for (const auto method : {ShadowMethod::off, ShadowMethod::focused}) {
             for (const auto taps : {ShadowTaps::four, ShadowTaps::sixteen}) {
@@ -96,7 +136,10 @@ TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
                         input.settings.shadows = {.method = method, .size_texels = 256, .taps = taps};
                         input.settings.tone.curve = static_cast<ToneCurve>(tone);
                         input.settings.anti_aliasing.method = static_cast<AntiAliasing>(smoothing);
-                        renderer.draw(input);
+                        for (const bool lit : {false, true}) {
+                            input.frame.lights = lit ? lamps : std::vector<systems::FrameLight>{};
+                            renderer.draw(input);
+                        }
                     }
                 }
             }
@@ -105,7 +148,7 @@ TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
     EXPECT_EQ(*texts, compiled) << "some choice of settings compiles a program in the middle of a walk";
     std::vector<FrameOutput> outputs;
     renderer.take_finished(outputs, true);
-    EXPECT_EQ(outputs.size(), 48u) << "frames of the warm-up are nobody's";
+    EXPECT_EQ(outputs.size(), 96u) << "frames of the warm-up are nobody's";
 }
 
 }  // namespace
