@@ -41,11 +41,14 @@ TraceFile::TraceFile(fs::path file, std::chrono::steady_clock::time_point zero)
     if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), failed);
     file_.reset(std::fopen(path_.c_str(), "w"));
     if (!file_) throw not_written(path_, last_failure());
-    write("[\n");
+    std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // it would be emptied in the middle of an event
+    unwritten_ = "[\n";
 }
 
 TraceFile::~TraceFile() {
-    if (file_) write("\n]\n");
+    if (!file_) return;
+    unwritten_ += "\n]\n";
+    flush();
 }
 
 void TraceFile::name_track(std::uint32_t track, std::string_view name) {
@@ -61,20 +64,24 @@ void TraceFile::add(const TraceSpan& span) {
 }
 
 void TraceFile::close() {
-    write("\n]\n");
+    unwritten_ += "\n]\n";
+    flush();
     if (std::fclose(file_.release()) != 0 && !failure_) failure_ = last_failure();
     if (failure_) throw not_written(path_, failure_);
 }
 
 void TraceFile::write_event(std::string_view text) {
-    if (!empty_) write(",\n");
+    constexpr std::size_t k_most_unwritten = 65536;
+    if (!empty_) unwritten_ += ",\n";
     empty_ = false;
-    write(text);
+    unwritten_ += text;
+    if (unwritten_.size() >= k_most_unwritten) flush();
 }
 
-void TraceFile::write(std::string_view text) {
-    if (failure_) return;
-    if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) failure_ = last_failure();
+void TraceFile::flush() {
+    const std::size_t size = unwritten_.size();
+    if (!failure_ && std::fwrite(unwritten_.data(), 1, size, file_.get()) != size) failure_ = last_failure();
+    unwritten_.clear();
 }
 
 }  // namespace rambla::game

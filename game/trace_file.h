@@ -22,8 +22,8 @@ struct TraceSpan {
 };
 
 /// A file in the Trace Event Format (Google, 2016) as Perfetto and chrome://tracing read it: one array of
-/// events. Written as it grows, in its place: it takes no memory that depends on its length, and what a run
-/// that came to a bad end has left can be opened as well.
+/// events. Written as it grows, in its place: it takes no memory that depends on its length, and a run that
+/// is killed leaves whole events, which both open without the array's end.
 class TraceFile {
 public:
     /// Makes the file, and its folder. @param zero  the moment that is time 0
@@ -45,13 +45,14 @@ private:
     struct CloseFile {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    void write(std::string_view text);
     void write_event(std::string_view text);
+    void flush();
 
     std::filesystem::path path_;
     std::chrono::steady_clock::time_point zero_;
     std::unique_ptr<std::FILE, CloseFile> file_;
     std::error_code failure_;  ///< the first
+    std::string unwritten_;    ///< whole events
     bool empty_ = true;
 };
 

@@ -20,22 +20,35 @@ std::string gbuffer_define(GBufferLayout layout) {
     return layout == GBufferLayout::wide ? "1" : "0";
 }
 
+void read_geometry(PassBuilder& pass, const FrameResources& resources) {
+    pass.read(resources.depth);
+    pass.read(resources.normal);
+    if (!resources.position.valid()) return;
+    pass.read(resources.albedo);  // for what the wide layout keeps beside the colour
+    pass.read(resources.position);
+    pass.read(resources.tangent);
+}
+
+void bind_geometry(const PassContext& context, const FrameResources& resources) {
+    const gl::Sampler& nearest = resources.samplers.nearest;
+    context.bind_texture(UNIT_PASS, resources.depth, nearest);
+    context.bind_texture(UNIT_PASS + 2, resources.normal, nearest);
+    if (!resources.position.valid()) return;
+    context.bind_texture(UNIT_PASS + 1, resources.albedo, nearest);
+    context.bind_texture(UNIT_PASS + 6, resources.position, nearest);
+    context.bind_texture(UNIT_PASS + 7, resources.tangent, nearest);
+}
+
 void read_gbuffer(PassBuilder& pass, const FrameResources& resources) {
-    for (const TextureHandle target : {resources.depth, resources.albedo, resources.normal, resources.surface,
-                                       resources.position, resources.tangent}) {
-        if (target.valid()) pass.read(target);
-    }
+    read_geometry(pass, resources);
+    if (!resources.position.valid()) pass.read(resources.albedo);
+    pass.read(resources.surface);
 }
 
 void bind_gbuffer(const PassContext& context, const FrameResources& resources) {
-    const gl::Sampler& nearest = resources.samplers.nearest;
-    context.bind_texture(UNIT_PASS, resources.depth, nearest);
-    context.bind_texture(UNIT_PASS + 1, resources.albedo, nearest);
-    context.bind_texture(UNIT_PASS + 2, resources.normal, nearest);
-    context.bind_texture(UNIT_PASS + 3, resources.surface, nearest);
-    if (!resources.position.valid()) return;
-    context.bind_texture(UNIT_PASS + 6, resources.position, nearest);
-    context.bind_texture(UNIT_PASS + 7, resources.tangent, nearest);
+    bind_geometry(context, resources);
+    context.bind_texture(UNIT_PASS + 1, resources.albedo, resources.samplers.nearest);
+    context.bind_texture(UNIT_PASS + 3, resources.surface, resources.samplers.nearest);
 }
 
 GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {

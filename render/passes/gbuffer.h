@@ -8,8 +8,8 @@
 
 namespace rambla::render {
 
-/// Draws the opaque and masked queue into the compact G-buffer (shaders/gbuffer_layout.glsl): depth, albedo,
-/// normal, surface, and emission when the Frame says that something emits.
+/// Draws the opaque and masked queue into the G-buffer (shaders/gbuffer_layout.glsl): depth, the targets of
+/// the chosen layout, and emission when the Frame says that something emits.
 class GBufferPass {
 public:
     explicit GBufferPass(gl::ProgramRegistry& programs);
@@ -37,9 +37,12 @@ private:
 /// Value of the shaders' define GBUFFER_WIDE.
 [[nodiscard]] std::string gbuffer_define(GBufferLayout layout);
 
-/// What lighting must know of a pixel, for the set-up of a pass: depth and all targets but emission.
+/// For the set-up of a pass that asks gbuffer_read.glsl for positions and normals alone.
+void read_geometry(PassBuilder& pass, const FrameResources& resources);
+/// Binds the same, from UNIT_PASS on.
+void bind_geometry(const PassContext& context, const FrameResources& resources);
+/// For one that asks for all that lighting must know, which is everything but emission.
 void read_gbuffer(PassBuilder& pass, const FrameResources& resources);
-/// Binds the same from UNIT_PASS on, as gbuffer_read.glsl has it.
 void bind_gbuffer(const PassContext& context, const FrameResources& resources);
 
 /// Whether a material needs the DETAIL variant of shaders/material.glsl.

@@ -1,5 +1,5 @@
 // One of the things that a picture is made from. Defines: VIEW, the function below that is shown; MISSING: 1 where the
-// frame does not have it; CELLS, TILES: which lists of lights are bound.
+// frame does not have it; CELLS, TILES: which lists of lights are bound; GBUFFER_WIDE.
 #include "frame.glsl"
 #include "gbuffer_layout.glsl"
 #include "unproject.glsl"

@@ -29,8 +29,8 @@ void main() {
     vec3 normal = interpolated_normal();
     TangentSpace space = tangent_space(m, normal);
     out_albedo = vec4(albedo, space.map.x);
-    out_normal = vec4(normal, 0.0);
-    out_position = vec4(varyings.position, reflectance);
+    out_normal = vec4(normal, space.map.z);
+    out_position = vec4(clamp(varyings.position, -k_max_position_m, k_max_position_m), reflectance);
     out_tangent = vec4(space.tangent, space.map.y);
 #else
     out_albedo = vec4(stored_albedo(albedo), reflectance);

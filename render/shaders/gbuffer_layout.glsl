@@ -1,13 +1,13 @@
-// The G-buffer, written and read in one place. Define GBUFFER_WIDE. Compact, 12 bytes and depth, with emission 16:
+// The G-buffer, written and read in one place. Compact, 12 bytes and depth, with emission 16:
 //   RT0 RGBA8            base colour, sRGB-encoded here (hardware's own encoding is slow, and rounds as it likes), root of a dielectric's reflectance (1: unlit)
 //   RT1 RG16             octahedral normal, world axes
 //   RT2 RGBA8            roughness, metalness, occlusion, reflector id (0: none)
 //   RT3 R11F_G11F_B10F   radiance of its own; exists only where something emits
 // Wide, 36 bytes and depth: four targets of half floats (Fahlen 2005, "Illumination for Real-Time Rendering of Large
-// Architectural Environments", table 2.1) and the bytes that its materials do without. The normal map is kept as it was
-// sampled and applied when light is.
+// Architectural Environments", table 2.1) and the bytes that its materials do without. The normal map is kept
+// beside the normal, and applied when light is.
 //   RT0 RGBA16F          base colour, linear, x of the normal map
-//   RT1 RGBA16F          normal without the map, world axes
+//   RT1 RGBA16F          normal without the map, world axes, z of the normal map
 //   RT2, RT3             as above, but for the id
 //   RT4 RGBA16F          position, camera-relative world, root of a dielectric's reflectance (1: unlit)
 //   RT5 RGBA16F          tangent, y of the normal map
@@ -48,11 +48,8 @@ vec3 normal_from_stored(vec2 stored) {
     return unit_from_octahedral(octahedral_from_unorm16(stored));
 }
 
-/// The normal that a map tilts: xy of the map in the frame of tangent, cross(normal, tangent) and normal.
-vec3 tilted_normal(vec3 normal, vec3 tangent, vec2 map) {
-    float z = sqrt(max(0.0, 1.0 - dot(map, map)));
-    return normalize(tangent * map.x + cross(normal, tangent) * map.y + normal * max(z, 1e-3));
-}
+/// Half floats end at 65504; what lies farther away than that is moved, in the wide layout.
+const float k_max_position_m = 65504.0;
 
 /// What the targets keep of what is written to them, for surfaces that are shaded without ever being stored: so that
 /// they look the same.

@@ -1,9 +1,10 @@
-// The G-buffer as screen-space passes read it: one fetch per target, at the pixel's own place.
+// The G-buffer as screen-space passes read it, at the pixel's own place. Define GBUFFER_WIDE.
 #include "frame.glsl"
 #include "brdf.glsl"
 #include "gbuffer_layout.glsl"
 #include "unproject.glsl"
 #include "to_eye.glsl"
+#include "tangent_space.glsl"
 
 layout(binding = UNIT_PASS) uniform sampler2D depth_target;
 layout(binding = UNIT_PASS + 1) uniform sampler2D albedo_target;
@@ -41,8 +42,9 @@ vec3 world_position(ivec2 pixel) {
 vec3 world_normal(ivec2 pixel) {
 #if GBUFFER_WIDE
     vec4 tangent = texelFetch(tangent_target, pixel, 0);
-    vec2 map = vec2(texelFetch(albedo_target, pixel, 0).a, tangent.a);
-    return tilted_normal(normalize(texelFetch(normal_target, pixel, 0).xyz), tangent.xyz, map);
+    vec4 normal = texelFetch(normal_target, pixel, 0);
+    vec3 map = vec3(texelFetch(albedo_target, pixel, 0).a, tangent.a, normal.a);
+    return normalize(tilted_normal(TangentSpace(tangent.xyz, map), normalize(normal.xyz)));
 #else
     return normal_from_stored(texelFetch(normal_target, pixel, 0).xy);
 #endif

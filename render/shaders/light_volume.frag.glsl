@@ -1,4 +1,4 @@
-// Adds one local light to the pixels of its rectangle. Define BRDF.
+// Adds one local light to the pixels of its rectangle. Defines: BRDF, GBUFFER_WIDE.
 #include "gbuffer_read.glsl"
 #include "local_light.glsl"
 #include "colour.glsl"

@@ -1,5 +1,5 @@
 // Sun, sky and emission of every pixel that shows geometry, and local lights. Defines: SHADOW_RESULT, EMISSION,
-// LOCAL_LIGHTS, BRDF.
+// LOCAL_LIGHTS, BRDF, GBUFFER_WIDE.
 #include "gbuffer_read.glsl"
 #include "sun_and_sky.glsl"
 #include "local_lights.glsl"

@@ -6,6 +6,7 @@
 #include "frame.glsl"
 #include "scene_buffers.glsl"
 #include "colour.glsl"
+#include "tangent_space.glsl"
 
 #define VARYING in
 #include "mesh_varyings.glsl"
@@ -40,17 +41,10 @@ vec3 sample_normal(Material m) {
 
 #endif
 
-/// What a normal map says at a pixel: the normal is normalize(tangent·x + cross(normal, tangent)·y + normal·z).
-struct TangentSpace {
-    vec3 tangent;  ///< unit length, or zero where there is no map
-    vec2 map;      ///< x and y of the map's unit normal
-    float z;
-};
-
 /// glTF 2.0, 3.9.3: the texture's xy scaled, then rotated into the frame (T, B = w·(N×T), N). The frame of a
 /// back face turns with its normal. Degenerate tangents leave the normal as it is.
 TangentSpace tangent_space(Material m, vec3 normal) {
-    TangentSpace flat_space = TangentSpace(vec3(0.0), vec2(0.0), 1.0);
+    TangentSpace flat_space = TangentSpace(vec3(0.0), vec3(0.0, 0.0, 1.0));
 #if DETAIL
     vec3 t = sample_normal(m);  // outside any branch: its texture needs derivatives
     t.xy *= m.normal_scale;
@@ -61,7 +55,7 @@ TangentSpace tangent_space(Material m, vec3 normal) {
     bool mapped = (m.flags & k_material_has_normal_texture) != 0u && length2 >= 1e-12 && t_length2 > 1e-12;
     if (!mapped) return flat_space;
     t *= inversesqrt(t_length2);
-    return TangentSpace(side * across * inversesqrt(length2), vec2(t.x, side * varyings.tangent.w * t.y), t.z);
+    return TangentSpace(side * across * inversesqrt(length2), vec3(t.x, side * varyings.tangent.w * t.y, t.z));
 #else
     return flat_space;
 #endif
@@ -70,8 +64,7 @@ TangentSpace tangent_space(Material m, vec3 normal) {
 /// The interpolated normal, or the normal texture's where there is one.
 vec3 surface_normal(Material m) {
     vec3 normal = interpolated_normal();
-    TangentSpace s = tangent_space(m, normal);
-    return s.tangent * s.map.x + cross(normal, s.tangent) * s.map.y + normal * s.z;
+    return normalize(tilted_normal(tangent_space(m, normal), normal));
 }
 
 /// Roughness, metalness, occlusion.

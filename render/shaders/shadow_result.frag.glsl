@@ -1,4 +1,4 @@
-// Deferred shadowing: 1 where the sun reaches the pixel's surface. Define TAPS: 4 or 16.
+// Deferred shadowing: 1 where the sun reaches the pixel's surface. Defines: TAPS, 4 or 16; GBUFFER_WIDE.
 #include "gbuffer_read.glsl"
 #include "shadow_lookup.glsl"
 

@@ -31,7 +31,7 @@ void ShadowResultPass::add(RenderGraph& graph, FrameResources& resources) {
         "shadow result",
         [&](PassBuilder& pass) {
             pass.test_depth(resources.depth);
-            read_gbuffer(pass, resources);
+            read_geometry(pass, resources);
             pass.read(resources.shadow_map);
             const TextureHandle result =
                 pass.create_texture("shadow result", {.format = GL_R8, .size = resources.size_px()});
@@ -39,7 +39,7 @@ void ShadowResultPass::add(RenderGraph& graph, FrameResources& resources) {
         },
         [&resources, &lookup](PassContext& context) {
             const PassSamplers& samplers = resources.samplers;
-            bind_gbuffer(context, resources);
+            bind_geometry(context, resources);
             context.bind_texture(UNIT_PASS + 4, resources.shadow_map, samplers.depth_compare);
             resources.sun_shadow.bind(GL_UNIFORM_BUFFER, BINDING_PASS_UNIFORMS);
             glEnable(GL_DEPTH_TEST);

@@ -163,6 +163,23 @@ TEST(LightingPaths, ShowTheSamePictureFromAWideGBuffer) {
     EXPECT_LE(difference(drawn_by(stage, render::LightingPath::volumes), wide).largest, 2);
 }
 
+TEST(LightingPaths, ShowThePlaceBeyondWhatHalfFloatsHoldFromAWideGBuffer) {
+    Stage stage;
+    stage.frame.environment = assets::noon();
+    stage.settings.anti_aliasing.method = render::AntiAliasing::none;
+    stage.settings.shadows.method = render::ShadowMethod::off;
+    assets::Material metal = matte({0.9f, 0.7f, 0.4f});
+    metal.metalness = 1.0f;
+    metal.roughness = 0.3f;
+    stage.place(stage.square(), stage.material(metal),
+                glm::scale(glm::rotate(glm::mat4{1.0f}, -1.5707963f, {1, 0, 0}), glm::vec3{2e5f}));
+    stage.look({0, 100, 0}, {0, 99, -50});
+    const Picture compact = stage.draw();
+    stage.settings.gbuffer.layout = render::GBufferLayout::wide;
+    // 65 km away and 100 m below, the direction is off by a hundredth of a pixel.
+    EXPECT_LE(difference(compact, stage.draw()).largest, 3);
+}
+
 TEST(LightingPaths, EachPathLightsTheFloorByManyLamps) {
     Stage stage;
     furnish(stage);

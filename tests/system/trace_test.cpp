@@ -103,7 +103,7 @@ TEST_F(TraceProgram, AWalkHasEverySystemAndEveryPassOfEveryFrame) {
     }
 }
 
-TEST_F(TraceProgram, TheGpuWorksAfterItWasAskedAndBeforeTheEnd) {
+TEST_F(TraceProgram, TheGpuWorksAfterItWasAsked) {
     static_cast<void>(
         json(rambla({"walk", "--headless", "--scene", k_small_city, "--frames", "4", "--size", "96x54",
                      "--profile-frames", "2", "-o", "w", "--trace", "t.json", "--json", "-"},

@@ -129,8 +129,10 @@ TEST_F(TraceFiles, AFailureInTheMiddleIsToldAtTheEnd) {
 
 /// A frame of two passes that begins at `begin_ms` after the trace, on the GPU by `gpu_late_ms` later.
 systems::Feedback frame(std::uint64_t number, double begin_ms, double gpu_late_ms) {
+    static const Clock::time_point first =
+        Clock::now();  // one for all frames, or they would overlap by chance
     const auto at = [](double ms) {
-        return Clock::now() + std::chrono::microseconds{std::llround(1000.0 * ms)};
+        return first + std::chrono::microseconds{std::llround(1000.0 * ms)};
     };
     systems::Feedback feedback;
     feedback.frame = number;
