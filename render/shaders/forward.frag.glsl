@@ -1,5 +1,5 @@
-// Surfaces lit as they are drawn, as deferred shading would light what the compact G-buffer keeps of them. Blended ones come out
-// premultiplied, so that glass keeps its highlights however clear it is. Defines: BLENDED, ALPHA_MASK, SHADOW_MAP,
+// Surfaces lit as they are drawn, as deferred shading would light what the compact G-buffer keeps of them. Blended ones
+// come out premultiplied, so that glass keeps its highlights however clear it is. Defines: BLENDED, ALPHA_MASK, SHADOW_MAP,
 // TAPS, LOCAL_LIGHTS, BRDF, and those of material.glsl.
 #include "material.glsl"
 #include "gbuffer_layout.glsl"

@@ -1,7 +1,6 @@
 #include "systems/look/lights.h"
 
 #include <cmath>
-#include <span>
 
 namespace rambla::systems {
 namespace {
@@ -18,10 +17,22 @@ glm::vec3 direction_of(const Placement& placement) {
     return has_direction ? glm::vec3{forward / size} : glm::vec3{0.0f, -1.0f, 0.0f};
 }
 
-template <class Before>
-Placement place_of(std::span<const WorldTransform> now, const Before& before, std::size_t i,
-                   const Observer& observer) {
-    return before.empty() ? placement(now[i], observer) : placement(before[i].value, now[i], observer);
+/// @param reaches  (light, placement): whether the picture needs to know of it
+/// @return         how many lights there are
+template <class Lights, class Reaches>
+std::uint32_t search(ecs::World& world, Lights& all, const Observer& observer, std::vector<FrameLight>& found,
+                     const Reaches& reaches) {
+    found.clear();
+    std::uint32_t count = 0;
+    for (auto [now, lights, before] : all.chunks(world)) {
+        count += static_cast<std::uint32_t>(lights.size());
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            const Placement place =
+                before.empty() ? placement(now[i], observer) : placement(before[i].value, now[i], observer);
+            if (reaches(lights[i], place)) found.push_back(frame_light(lights[i], place));
+        }
+    }
+    return count;
 }
 
 }  // namespace
@@ -41,32 +52,16 @@ FrameLight frame_light(const DirectionalLight& light, const Placement& placement
 
 std::uint32_t LightSearch::operator()(ecs::World& world, const Observer& observer, const CullVolume& volume,
                                       std::vector<FrameLight>& found) {
-    found.clear();
-    std::uint32_t count = 0;
-    for (auto [now, lights, before] : lights_.chunks(world)) {
-        count += static_cast<std::uint32_t>(lights.size());
-        for (std::size_t i = 0; i < lights.size(); ++i) {
-            if (!shines(lights[i].intensity) || !(lights[i].radius_m > 0.0f)) continue;
-            const Placement place = place_of(now, before, i, observer);
-            if (!sphere_may_be_seen(volume, place.translation_m, lights[i].radius_m)) continue;
-            found.push_back(frame_light(lights[i], place));
-        }
-    }
-    return count;
+    return search(world, lights_, observer, found, [&](const LocalLight& light, const Placement& place) {
+        return shines(light.intensity) && light.radius_m > 0.0f &&
+               sphere_may_be_seen(volume, place.translation_m, light.radius_m);
+    });
 }
 
 std::uint32_t DirectionalLightSearch::operator()(ecs::World& world, const Observer& observer,
                                                  std::vector<FrameLight>& found) {
-    found.clear();
-    std::uint32_t count = 0;
-    for (auto [now, lights, before] : lights_.chunks(world)) {
-        count += static_cast<std::uint32_t>(lights.size());
-        for (std::size_t i = 0; i < lights.size(); ++i) {
-            if (shines(lights[i].illuminance))
-                found.push_back(frame_light(lights[i], place_of(now, before, i, observer)));
-        }
-    }
-    return count;
+    return search(world, lights_, observer, found,
+                  [](const DirectionalLight& light, const Placement&) { return shines(light.illuminance); });
 }
 
 }  // namespace rambla::systems

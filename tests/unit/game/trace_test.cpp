@@ -127,6 +127,24 @@ TEST_F(TraceFiles, AFailureInTheMiddleIsToldAtTheEnd) {
     EXPECT_THROW(trace.close(), assets::Error);
 }
 
+TEST_F(TraceFiles, HoldsWholeEventsAtAnyMoment) {
+    TraceFile trace{file, k_zero};
+    std::uintmax_t size = 0;
+    std::size_t most = 0;
+    for (int i = 0; i < 3000; ++i) {
+        trace.name_track(1, "main " + std::to_string(i));
+        const std::uintmax_t now = fs::file_size(file);
+        if (now == size) continue;
+        size = now;
+        const std::string so_far = text();
+        const nlohmann::json events = nlohmann::json::parse(so_far + "]", nullptr, false);
+        ASSERT_FALSE(events.is_discarded()) << "after " << i << ": " << so_far.substr(so_far.size() - 60);
+        most = std::max(most, events.size());
+    }
+    EXPECT_GT(most, 1000u) << "it is written as it grows";
+    trace.close();
+}
+
 /// A frame of two passes that begins at `begin_ms` after the trace, on the GPU by `gpu_late_ms` later.
 systems::Feedback frame(std::uint64_t number, double begin_ms, double gpu_late_ms) {
     static const Clock::time_point first =
