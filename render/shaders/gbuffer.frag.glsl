@@ -30,7 +30,7 @@ void main() {
     TangentSpace space = tangent_space(m, normal);
     out_albedo = vec4(albedo, space.map.x);
     out_normal = vec4(normal, space.map.z);
-    out_position = vec4(clamp(varyings.position, -k_max_position_m, k_max_position_m), reflectance);
+    out_position = vec4(storable_position(varyings.position), reflectance);
     out_tangent = vec4(space.tangent, space.map.y);
 #else
     out_albedo = vec4(stored_albedo(albedo), reflectance);

@@ -48,8 +48,12 @@ vec3 normal_from_stored(vec2 stored) {
     return unit_from_octahedral(octahedral_from_unorm16(stored));
 }
 
-/// Half floats end at 65504; what lies farther away than that is moved, in the wide layout.
-const float k_max_position_m = 65504.0;
+/// Half floats end at 65504. What lies farther away is moved towards the eye, so that it is still seen in its direction.
+vec3 storable_position(vec3 position) {
+    const float most_m = 65504.0;
+    vec3 size = abs(position);
+    return position * min(1.0, most_m / max(max(size.x, size.y), max(size.z, 1.0)));
+}
 
 /// What the targets keep of what is written to them, for surfaces that are shaded without ever being stored: so that
 /// they look the same.
