@@ -54,14 +54,13 @@ public:
     /// Frees the slot of a living entity. A slot whose generations are used up is never used again.
     void give_back(std::uint32_t index) noexcept {
         EntityRecord& record = records()[index];
-        record.archetype = k_no_archetype;
         --alive_;
         if (record.generation == k_last_generation) {
+            record.archetype = k_no_archetype;
             ++retired_;
             return;
         }
-        ++record.generation;
-        record.row = first_free_;
+        record = {record.generation + 1, k_no_archetype, first_free_};
         first_free_ = index;
     }
 

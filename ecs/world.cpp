@@ -33,9 +33,9 @@ void World::destroy(Entity entity) {
     if (!archetype.is_plain() || may_be_watched || !graph_.sparse().all().empty()) [[unlikely]]
         return destroy_any(entity);
     const std::uint32_t row = record->row;
-    const Entity moved = archetype.erase_plain(row, version_);
-    if (moved != Entity{}) entities_[moved.index].row = row;
     entities_.give_back(entity.index);
+    archetype.erase_plain(
+        row, version_, [this](Entity moved, std::uint32_t its_row) { entities_[moved.index].row = its_row; });
 }
 
 void World::destroy_any(Entity entity) {
