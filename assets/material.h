@@ -58,6 +58,9 @@ struct Material {
     float specular = 1.0f;            ///< strength of a dielectric's reflection, [0, 1]
     glm::vec3 specular_colour{1.0f};  ///< of a dielectric's reflection at normal incidence, ≥ 0
     float transmission = 0.0f;        ///< share of the light that is not reflected and goes through, [0, 1]
+    /// How far a height of 0 lies below one of 1, in units of texture coordinates before their transform,
+    /// which are taken to be as long one way as the other; [0, k_max_height_depth].
+    float height_depth = 0.0f;
     float alpha_cutoff = 0.5f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     bool double_sided = false;
@@ -70,7 +73,10 @@ struct Material {
     TextureSlot specular_texture;         ///< A
     TextureSlot specular_colour_texture;  ///< RGB
     TextureSlot transmission_texture;     ///< R
+    TextureSlot height_texture;           ///< R: 1 at the surface, 0 at the deepest
 };
+
+inline constexpr float k_max_height_depth = 0.25f;  ///< of Material::height_depth;
 
 /// Calls `visit` with each texture slot of a material.
 template <class M, class Visit>
@@ -78,7 +84,7 @@ void for_each_texture_slot(M& material, Visit&& visit) {
     for (auto* slot :
          {&material.base_colour_texture, &material.metalness_roughness_texture, &material.normal_texture,
           &material.occlusion_texture, &material.emissive_texture, &material.specular_texture,
-          &material.specular_colour_texture, &material.transmission_texture})
+          &material.specular_colour_texture, &material.transmission_texture, &material.height_texture})
         visit(*slot);
 }
 

@@ -27,6 +27,7 @@ nlohmann::json textures_of(const Material& material) {
     add("specular", material.specular_texture);
     add("specular_colour", material.specular_colour_texture);
     add("transmission", material.transmission_texture);
+    add("height", material.height_texture);
     return used;
 }
 
@@ -80,6 +81,7 @@ nlohmann::json inspected_material(const Material& material, const std::vector<st
             {"specular", material.specular},
             {"specular_colour", numbers(material.specular_colour)},
             {"transmission", material.transmission},
+            {"height_depth", material.height_depth},
             {"textures", textures_of(material)},
             {"extensions", extensions}};
 }

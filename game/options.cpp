@@ -149,6 +149,7 @@ void add_picture_options(CLI::App& command, Options& options) {
         ->type_name("WIDTHxHEIGHT");
     add_method_option(command, "--lighting", render::k_lighting_parameters, options.settings.lighting);
     add_method_option(command, "--gbuffer", render::k_gbuffer_parameters, options.settings.gbuffer);
+    add_method_option(command, "--detail", render::k_detail_parameters, options.settings.detail);
     add_method_option(command, "--brdf", render::k_brdf_parameters, options.settings.brdf);
     add_method_option(command, "--shadows", render::k_shadow_parameters, options.settings.shadows);
     add_method_option(command, "--tonemap", render::k_tone_parameters, options.settings.tone, "exposure");

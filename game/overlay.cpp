@@ -77,6 +77,7 @@ Overlay::Overlay(render::Settings& settings, std::function<void()> own_part)
     : own_part_{std::move(own_part)} {
     add_group("lighting", bind(render::k_lighting_parameters, settings.lighting));
     add_group("G-buffer", bind(render::k_gbuffer_parameters, settings.gbuffer));
+    add_group("surface detail", bind(render::k_detail_parameters, settings.detail));
     add_group("reflection model", bind(render::k_brdf_parameters, settings.brdf));
     add_group("shadows", bind(render::k_shadow_parameters, settings.shadows));
     add_group("tone mapping", bind(render::k_tone_parameters, settings.tone));

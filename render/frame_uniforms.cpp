@@ -2,7 +2,8 @@
 
 namespace rambla::render {
 
-shared::FrameUniforms make_frame_uniforms(const systems::Frame& frame, float exposure) {
+shared::FrameUniforms make_frame_uniforms(const systems::Frame& frame, float exposure,
+                                          const DetailParameters& detail) {
     const systems::FrameView& view = frame.view;
     const glm::mat4& p = view.clip_from_view;
     const assets::Environment& light = frame.environment;
@@ -28,7 +29,8 @@ shared::FrameUniforms make_frame_uniforms(const systems::Frame& frame, float exp
     u.eye_cell = glm::vec4{glm::vec3{view.eye_cell}, 0.0f};
     u.eye_local_m = glm::vec4{view.eye_local_m, static_cast<float>(frame.time_s)};
     u.counts = glm::uvec4{static_cast<std::uint32_t>(frame.lights.size()), view.orthographic ? 1u : 0u,
-                          static_cast<std::uint32_t>(frame.directional_lights.size()), 0u};
+                          static_cast<std::uint32_t>(frame.directional_lights.size()),
+                          static_cast<std::uint32_t>(detail.steps)};
     return u;
 }
 

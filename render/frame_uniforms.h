@@ -1,11 +1,14 @@
 #pragma once
 
+#include "render/settings.h"
 #include "render/shaders/shared/frame_uniforms.h"
 #include "systems/frame.h"
 
 namespace rambla::render {
 
-/// What all shaders of a frame read. @param exposure  factor on everything written to HDR targets, > 0
-[[nodiscard]] shared::FrameUniforms make_frame_uniforms(const systems::Frame& frame, float exposure);
+/// What all shaders of a frame read.
+/// @param exposure  factor on everything written to HDR targets, > 0
+[[nodiscard]] shared::FrameUniforms make_frame_uniforms(const systems::Frame& frame, float exposure,
+                                                        const DetailParameters& detail);
 
 }  // namespace rambla::render

@@ -113,7 +113,7 @@ struct Renderer::State {
     void draw(const FrameInput& input, bool is_warm_up);
     void bring_textures(const FrameInput& input);
     void draw_passes(const FrameInput& input, InFlight& slot);
-    void bind_frame(const systems::Frame& frame, float exposure);
+    void bind_frame(const FrameInput& input, float exposure);
     [[nodiscard]] TextureHandle import_backbuffer(glm::uvec2 size, bool as_texture);
     [[nodiscard]] bool take_oldest(std::vector<FrameOutput>& outputs, bool wait);
     std::vector<FrameOutput> overtaken;  ///< finished because draw() had to wait
@@ -194,9 +194,9 @@ void Renderer::State::bring_textures(const FrameInput& input) {
     const std::uint64_t number = finished + count;
     const std::vector<std::uint8_t>& demand = input.frame.texture_demand;
     if (input.complete_textures) {
-        scene.complete_textures(demand, input.settings.textures, number);
+        scene.complete_textures(demand, input.settings, number);
     } else {
-        scene.update_textures(demand, input.settings.textures, number);
+        scene.update_textures(demand, input.settings, number);
     }
 }
 
@@ -204,7 +204,7 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     const systems::Frame& frame = input.frame;
     const systems::CaptureRequest& wanted = frame.capture;
     const float exposure = std::exp2(input.settings.tone.exposure_ev);
-    bind_frame(frame, exposure);
+    bind_frame(input, exposure);
     opaque.clear(DrawKind::shaded);
     opaque.add(scene, frame.opaque);
     opaque.upload(stream);
@@ -247,8 +247,10 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     if (input.draw_graph) slot.output.graph_svg = graph.svg();
 }
 
-void Renderer::State::bind_frame(const systems::Frame& frame, float exposure) {
-    stream.upload_value(make_frame_uniforms(frame, exposure)).bind(GL_UNIFORM_BUFFER, BINDING_FRAME_UNIFORMS);
+void Renderer::State::bind_frame(const FrameInput& input, float exposure) {
+    const systems::Frame& frame = input.frame;
+    stream.upload_value(make_frame_uniforms(frame, exposure, input.settings.detail))
+        .bind(GL_UNIFORM_BUFFER, BINDING_FRAME_UNIFORMS);
     stream.upload(std::span<const systems::Instance>{frame.instances})
         .bind(GL_SHADER_STORAGE_BUFFER, BINDING_INSTANCES);
     scene.materials().bind(GL_SHADER_STORAGE_BUFFER, BINDING_MATERIALS);

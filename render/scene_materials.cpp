@@ -20,8 +20,9 @@ shared::UvTransform shader_transform(const assets::TextureSlot& slot) {
 }
 
 /// The textures that a material binds, in the order of the units.
-std::array<BoundTexture, 7> bound_textures(const assets::Material& material, const SceneTextures& textures) {
-    std::array<BoundTexture, 7> bound;
+std::array<BoundTexture, k_material_units> bound_textures(const assets::Material& material,
+                                                          const SceneTextures& textures) {
+    std::array<BoundTexture, k_material_units> bound;
     const auto set = [&](std::size_t unit, const assets::TextureSlot& slot, const BoundTexture& neutral) {
         bound[unit] = slot.texture < textures.textures.size() ? textures.textures[slot.texture] : neutral;
     };
@@ -32,10 +33,11 @@ std::array<BoundTexture, 7> bound_textures(const assets::Material& material, con
     set(UNIT_EMISSIVE, material.emissive_texture, textures.white);
     set(UNIT_SPECULAR, material.specular_texture, textures.white);
     set(UNIT_SPECULAR_COLOUR, material.specular_colour_texture, textures.white);
+    set(UNIT_HEIGHT, material.height_texture, textures.white);
     return bound;
 }
 
-void add_slots(SceneMaterials& result, const std::array<BoundTexture, 7>& bound) {
+void add_slots(SceneMaterials& result, const std::array<BoundTexture, k_material_units>& bound) {
     const auto material = static_cast<std::uint32_t>(result.slots.size());
     MaterialSlots& slots = result.slots.emplace_back();
     for (std::uint32_t unit = 0; unit < bound.size(); ++unit) {
@@ -84,7 +86,7 @@ shared::Material shader_material(const assets::Material& m, bool normal_z_is_mis
             .flags = flags,
             .alpha_mode = static_cast<std::uint32_t>(m.alpha_mode),
             .dielectric_f0 = dielectric_f0(m),
-            .padding1 = 0,
+            .height_depth = m.height_texture.texture == assets::k_none ? 0.0f : m.height_depth,
             .specular = glm::vec4{reflectance(m), m.specular},
             .base_colour_uv = shader_transform(m.base_colour_texture),
             .metalness_roughness_uv = shader_transform(m.metalness_roughness_texture),
@@ -92,7 +94,8 @@ shared::Material shader_material(const assets::Material& m, bool normal_z_is_mis
             .occlusion_uv = shader_transform(m.occlusion_texture),
             .emissive_uv = shader_transform(m.emissive_texture),
             .specular_uv = shader_transform(m.specular_texture),
-            .specular_colour_uv = shader_transform(m.specular_colour_texture)};
+            .specular_colour_uv = shader_transform(m.specular_colour_texture),
+            .height_uv = shader_transform(m.height_texture)};
 }
 
 SceneMaterials upload_materials(const assets::ProcessedScene& scene, const SceneTextures& textures) {

@@ -1,20 +1,25 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "assets/processed.h"
 #include "render/gl/buffer.h"
 #include "render/scene_textures.h"
+#include "render/shaders/shared/bindings.h"
 #include "render/shaders/shared/material.h"
 
 namespace rambla::render {
 
-/// Names to bind for one material, in the order of the units UNIT_BASE_COLOUR … UNIT_SPECULAR_COLOUR.
+/// Textures that a material may have.
+inline constexpr std::size_t k_material_units = UNIT_PASS;
+
+/// Names to bind for one material, in the order of the units UNIT_BASE_COLOUR … UNIT_HEIGHT.
 struct MaterialSlots {
-    std::array<GLuint, 7> textures{};
-    std::array<GLuint, 7> samplers{};
+    std::array<GLuint, k_material_units> textures{};
+    std::array<GLuint, k_material_units> samplers{};
 };
 
 /// Where an image is bound.

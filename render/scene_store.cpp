@@ -6,12 +6,14 @@
 
 #include "assets/assert.h"
 #include "render/gl/calls.h"
+#include "render/passes/surface_detail.h"
 #include "render/scene_materials.h"
 #include "render/scene_meshes.h"
 #include "render/scene_morphs.h"
 #include "render/scene_shadows.h"
 #include "render/scene_textures.h"
 #include "render/shaders/shared/bindings.h"
+#include "systems/frame.h"
 
 namespace rambla::render {
 
@@ -21,6 +23,7 @@ struct SceneStore::State {
     gl::Buffer morphs;
     SceneTextures textures;
     SceneMaterials materials;
+    std::vector<std::uint8_t> demand;  ///< scratch
 };
 
 SceneStore::SceneStore() : state_{std::make_unique<State>()} {
@@ -40,19 +43,33 @@ void SceneStore::upload(const assets::ProcessedScene& scene, std::shared_ptr<ass
     state_->materials = upload_materials(scene, state_->textures);
 }
 
-void SceneStore::update_textures(std::span<const std::uint8_t> demand, const TextureParameters& parameters,
+std::span<const std::uint8_t> SceneStore::sampled(std::span<const std::uint8_t> demand, DetailGrade grade) {
+    state_->demand.assign(demand.begin(), demand.end());
+    const std::uint32_t units = sampled_units(grade);
+    for (std::size_t image = 0; image < demand.size(); ++image) {
+        const std::vector<SlotOfImage>& slots = state_->materials.slots_of_images[image];
+        const auto is_sampled = [&](const SlotOfImage& slot) {
+            return (units >> slot.unit & 1u) != 0u;
+        };
+        if (!slots.empty() && std::none_of(slots.begin(), slots.end(), is_sampled))
+            state_->demand[image] = systems::k_not_demanded;
+    }
+    return state_->demand;
+}
+
+void SceneStore::update_textures(std::span<const std::uint8_t> demand, const Settings& settings,
                                  std::uint64_t frame) {
     state_->textures.images->begin_frame(frame);
-    state_->textures.images->update(demand, parameters);
+    state_->textures.images->update(sampled(demand, settings.detail.grade), settings.textures);
     rebind_textures();
 }
 
-void SceneStore::complete_textures(std::span<const std::uint8_t> demand, const TextureParameters& parameters,
+void SceneStore::complete_textures(std::span<const std::uint8_t> demand, const Settings& settings,
                                    std::uint64_t frame) {
     const gl::UncountedCalls waits_by_its_nature;
     TextureResidency& images = *state_->textures.images;
     images.begin_frame(frame);
-    images.complete(demand, parameters, [&images] {
+    images.complete(sampled(demand, settings.detail.grade), settings.textures, [&images] {
         glFinish();
         images.release(std::numeric_limits<std::uint64_t>::max());
     });

@@ -37,11 +37,11 @@ public:
     /// @param source  of the levels of textures that the scene does not hold; none: those do not come
     void upload(const assets::ProcessedScene& scene, std::shared_ptr<assets::LevelSource> source);
 
-    /// Before frame number `frame` is drawn: see TextureResidency.
-    void update_textures(std::span<const std::uint8_t> demand, const TextureParameters& parameters,
-                         std::uint64_t frame);
+    /// Before frame number `frame` is drawn: see TextureResidency. Images that no program of the settings'
+    /// grade of detail samples are not demanded.
+    void update_textures(std::span<const std::uint8_t> demand, const Settings& settings, std::uint64_t frame);
     /// Likewise, but waits for all that the frame needs. Waits for the graphics card, too.
-    void complete_textures(std::span<const std::uint8_t> demand, const TextureParameters& parameters,
+    void complete_textures(std::span<const std::uint8_t> demand, const Settings& settings,
                            std::uint64_t frame);
     /// Frames below number `finished` are done.
     void release_textures(std::uint64_t finished);
@@ -66,12 +66,14 @@ public:
     /// Row of a material in materials().
     [[nodiscard]] std::uint32_t material_row(std::uint32_t material) const;
 
-    /// Binds a material's textures to the units UNIT_BASE_COLOUR … UNIT_SPECULAR_COLOUR.
+    /// Binds a material's textures to the units UNIT_BASE_COLOUR … UNIT_HEIGHT.
     void bind_textures(std::uint32_t material) const;
     /// Binds the base colour alone: what masked materials need in depth passes.
     void bind_base_colour(std::uint32_t material) const;
 
 private:
+    [[nodiscard]] std::span<const std::uint8_t> sampled(std::span<const std::uint8_t> demand,
+                                                        DetailGrade grade);
     void rebind_textures();
 
     struct State;

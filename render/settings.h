@@ -76,6 +76,22 @@ inline constexpr std::array k_gbuffer_parameters{
                                           "and colours as half floats."),
 };
 
+enum class DetailGrade : std::uint8_t { flat, normal, parallax, occlusion };
+
+/// How much of what lies in a surface's textures is more than colour. Each grade adds to the one before.
+struct DetailParameters {
+    DetailGrade grade = DetailGrade::normal;
+    int steps = 16;
+};
+inline constexpr std::array<std::string_view, 4> k_detail_grades{"flat", "normal", "parallax", "occlusion"};
+inline constexpr std::array k_detail_parameters{
+    parameter<&DetailParameters::grade>("detail", k_detail_grades,
+                                        "Unevenness of surfaces: none, normal maps, or also shifts by their "
+                                        "heights, with what hides behind them or without."),
+    parameter<&DetailParameters::steps>("steps", "", 4, 128,
+                                        "occlusion: places at which a look meets the heights, at most."),
+};
+
 enum class Brdf : std::uint8_t { ggx, blinn, lambert };
 
 /// How surfaces reflect the sun and local lights.
@@ -159,6 +175,7 @@ inline constexpr std::array k_texture_budget_parameters{
 struct Settings {
     LightingParameters lighting;
     GBufferParameters gbuffer;
+    DetailParameters detail;
     BrdfParameters brdf;
     ShadowParameters shadows;
     ToneParameters tone;

@@ -61,6 +61,11 @@ public:
         }
         add_emission(out);
         add_dielectric(out);
+        if (material_.height_texture.texture != k_none) {
+            Json& height = out["extras"]["ramblaHeight"];
+            height = slot(material_.height_texture);
+            height["depth"] = material_.height_depth;
+        }
         if (material_.unlit) use(out, "KHR_materials_unlit") = Json::object();
         return out;
     }

@@ -45,6 +45,22 @@ Image Canvas::normal_image(const std::string& name, float width_m) const {
     });
 }
 
+Relief Canvas::relief(const std::string& name, float width_m) const {
+    const auto lower = [](const Texel& a, const Texel& b) {
+        return a.height_m < b.height_m;
+    };
+    const auto [lowest, highest] = std::minmax_element(texels_.begin(), texels_.end(), lower);
+    const float least = lowest->height_m;
+    const float depth_m = highest->height_m - least;
+    const float scale = depth_m > 0.0f ? 1.0f / depth_m : 0.0f;
+    return {
+        image_of(name, width_, height_,
+                 [&](std::uint32_t x, std::uint32_t y) {
+                     return glm::vec4{glm::vec3{(texels_[y * width_ + x].height_m - least) * scale}, 1.0f};
+                 }),
+        depth_m / width_m};
+}
+
 Image Canvas::roughness_image(const std::string& name) const {
     return image_of(name, width_, height_, [&](std::uint32_t x, std::uint32_t y) {
         return glm::vec4{1.0f, texels_[y * width_ + x].roughness, 0.0f, 1.0f};

@@ -20,6 +20,12 @@ struct Texel {
     float roughness = 1.0f;
 };
 
+/// Heights below a surface.
+struct Relief {
+    Image image;
+    float depth = 0.0f;  ///< from the lowest to the highest, as a share of the width
+};
+
 /// A painted texture before it is cut into images.
 class Canvas {
 public:
@@ -46,6 +52,8 @@ public:
     /// Tangent-space normals of the heights, wrapping around: x right, y up the image, z outwards.
     /// @param width_m  what the canvas's width covers
     [[nodiscard]] Image normal_image(const std::string& name, float width_m) const;
+    /// The same heights from the lowest, 0, to the highest, 1, in all channels.
+    [[nodiscard]] Relief relief(const std::string& name, float width_m) const;
     /// Roughness in G, metalness 0 in B, occlusion 1 in R.
     [[nodiscard]] Image roughness_image(const std::string& name) const;
 

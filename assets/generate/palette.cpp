@@ -10,7 +10,8 @@ namespace {
 
 /// Indices of a pattern's textures in the scene.
 struct TextureSet {
-    std::uint32_t colour = k_none, normal = k_none, roughness = k_none, emission = k_none;
+    std::uint32_t colour = k_none, normal = k_none, roughness = k_none, emission = k_none, height = k_none;
+    float height_depth = 0.0f;
 };
 
 std::uint32_t add_texture(Scene& scene, Image image, ColourSpace space, bool clamp) {
@@ -37,6 +38,10 @@ std::array<TextureSet, k_pattern_count> add_textures(Scene& scene, std::uint64_t
             result[i].roughness = add_texture(scene, std::move(*set.roughness), ColourSpace::linear, clamp);
         if (set.emission)
             result[i].emission = add_texture(scene, std::move(*set.emission), ColourSpace::srgb, clamp);
+        if (set.relief) {
+            result[i].height = add_texture(scene, std::move(set.relief->image), ColourSpace::linear, clamp);
+            result[i].height_depth = set.relief->depth;
+        }
     }
     return result;
 }
@@ -75,6 +80,8 @@ public:
         material.normal_texture.texture = set.normal;
         material.metalness_roughness_texture.texture = set.roughness;
         material.emissive_texture.texture = set.emission;
+        material.height_texture.texture = set.height;
+        material.height_depth = set.height_depth;
         return add(material);
     }
     std::uint32_t emitting(std::uint32_t material, glm::vec3 radiance) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/generate/canvas.h"
 #include "assets/image.h"
 
 namespace rambla::assets::generate {
@@ -44,6 +45,7 @@ struct PaintedSet {
     std::optional<Image> normal;     ///< green points up the image
     std::optional<Image> roughness;  ///< in G; B (metalness) is 0
     std::optional<Image> emission;
+    std::optional<Relief> relief{};  ///< of those that are as high as wide, and deep enough to be seen
 };
 
 /// Cells of the window and shop patterns from left to right, and of the sign pattern from top to bottom.

@@ -45,7 +45,8 @@ PaintedSet paint_paving(std::uint32_t seed) {
             canvas.colour_image("paving"),
             canvas.normal_image("paving-normal", 1.6f),
             canvas.roughness_image("paving-roughness"),
-            {}};
+            {},
+            canvas.relief("paving-height", 1.6f)};
 }
 
 PaintedSet paint_asphalt(std::uint32_t seed) {

@@ -67,7 +67,9 @@ PaintedSet paint_brick(std::uint32_t seed) {
         const float shade = 0.92f + 0.16f * (grain - 0.5f) + 0.14f * (stain - 0.5f);
         return Texel{{glm::mix(mortar, clay, stone) * shade, 1.0f}, 0.006f * stone + 0.002f * grain, 0.9f};
     });
-    return {"brick", canvas.colour_image("brick"), canvas.normal_image("brick-normal", k_wall_m), {}, {}};
+    return {
+        "brick", canvas.colour_image("brick"),           canvas.normal_image("brick-normal", k_wall_m), {},
+        {},      canvas.relief("brick-height", k_wall_m)};
 }
 
 PaintedSet paint_stone(std::uint32_t seed) {
@@ -84,7 +86,9 @@ PaintedSet paint_stone(std::uint32_t seed) {
                             glm::mix(0.72f, 1.0f, block);
         return Texel{{value, value * 0.955f, value * 0.87f, 1.0f}, 0.010f * block + 0.004f * grain, 0.85f};
     });
-    return {"stone", canvas.colour_image("stone"), canvas.normal_image("stone-normal", k_wall_m), {}, {}};
+    return {
+        "stone", canvas.colour_image("stone"),           canvas.normal_image("stone-normal", k_wall_m), {},
+        {},      canvas.relief("stone-height", k_wall_m)};
 }
 
 PaintedSet paint_stucco(std::uint32_t seed) {

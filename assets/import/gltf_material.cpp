@@ -36,6 +36,7 @@ public:
         read_emission();
         material_.unlit = extension("KHR_materials_unlit") != nullptr;
         read_dielectric();
+        read_height();
         return std::move(material_);
     }
 
@@ -130,6 +131,23 @@ private:
                 slot(texture_info(*transmission, "transmissionTexture"),
                      "extensions.KHR_materials_transmission.transmissionTexture");
         }
+    }
+
+    /// glTF knows no heights. Extras are anybody's: what does not fit is left out, not an error.
+    void read_height() {
+        const std::string name = "ramblaHeight";
+        if (!source_.extras.IsObject() || !source_.extras.Has(name)) return;
+        const tinygltf::TextureInfo info = texture_info(source_.extras, name);
+        const auto count = static_cast<int>(document_.model.textures.size());
+        if (info.index < 0 || info.index >= count) {
+            document_.warn(element_ + ".extras." + name, "index is " + std::to_string(info.index) +
+                                                             ", expected one of " + std::to_string(count) +
+                                                             " textures: heights are left out");
+            return;
+        }
+        material_.height_texture = slot(info, "extras." + name);
+        material_.height_depth =
+            std::clamp(number_of(source_.extras.Get(name), "depth", 0.0f), 0.0f, k_max_height_depth);
     }
 
     const Document& document_;

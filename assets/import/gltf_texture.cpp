@@ -21,14 +21,15 @@ struct Use {
     ColourSpace colour_space;
 };
 
-constexpr std::array<Use, 8> k_uses{{{&Material::base_colour_texture, ColourSpace::srgb},
+constexpr std::array<Use, 9> k_uses{{{&Material::base_colour_texture, ColourSpace::srgb},
                                      {&Material::metalness_roughness_texture, ColourSpace::linear},
                                      {&Material::normal_texture, ColourSpace::linear},
                                      {&Material::occlusion_texture, ColourSpace::linear},
                                      {&Material::emissive_texture, ColourSpace::srgb},
                                      {&Material::specular_texture, ColourSpace::linear},
                                      {&Material::specular_colour_texture, ColourSpace::srgb},
-                                     {&Material::transmission_texture, ColourSpace::linear}}};
+                                     {&Material::transmission_texture, ColourSpace::linear},
+                                     {&Material::height_texture, ColourSpace::linear}}};
 
 WrapMode wrap_mode(int mode) {
     switch (mode) {

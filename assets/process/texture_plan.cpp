@@ -49,6 +49,7 @@ private:
         use(material.normal_texture, as(TextureRole::normals, before.normal_texture), k_red | k_green);
         use(material.specular_texture, as(TextureRole::data, before.specular_texture), k_alpha);
         use(material.transmission_texture, as(TextureRole::data, before.transmission_texture), k_red);
+        use(material.height_texture, as(TextureRole::data, before.height_texture), k_red);
         plan_roughness(material, before);
     }
 

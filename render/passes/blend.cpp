@@ -30,7 +30,7 @@ void BlendPass::add(RenderGraph& graph, FrameResources& resources) {
                 [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
                     return programs_.get(
                         {.blended = true,
-                         .detailed = has_detail(resources.scene.material(material)),
+                         .detail = surface_detail(resources.scene.material(material), settings.detail.grade),
                          .emissive = true,
                          .skinned = pipeline.skinned,
                          .morphed = pipeline.morphed,

@@ -31,7 +31,7 @@ void ForwardPass::add(RenderGraph& graph, FrameResources& resources) {
                 [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
                     return programs_.get(
                         {.masked = pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask),
-                         .detailed = has_detail(resources.scene.material(material)),
+                         .detail = surface_detail(resources.scene.material(material), settings.detail.grade),
                          .emissive = resources.frame.emissive,
                          .skinned = pipeline.skinned,
                          .morphed = pipeline.morphed,

@@ -12,10 +12,11 @@ const char* flag(bool on) {
 }  // namespace
 
 const gl::Program& ForwardPrograms::get(Variant v) {
-    const std::size_t index = (v.blended ? 1u : 0u) | (v.masked ? 2u : 0u) | (v.detailed ? 4u : 0u) |
-                              (v.emissive ? 8u : 0u) | (v.skinned ? 16u : 0u) | (v.morphed ? 32u : 0u) |
-                              (v.shadowed ? 64u : 0u) | (v.wide_filter ? 128u : 0u) |
-                              (v.specular ? 256u : 0u) | static_cast<std::size_t>(v.brdf) << 9u;
+    const std::size_t choices =
+        static_cast<std::size_t>(v.brdf) * k_surface_details + static_cast<std::size_t>(v.detail);
+    const std::size_t index = (v.blended ? 1u : 0u) | (v.masked ? 2u : 0u) | (v.emissive ? 4u : 0u) |
+                              (v.skinned ? 8u : 0u) | (v.morphed ? 16u : 0u) | (v.shadowed ? 32u : 0u) |
+                              (v.wide_filter ? 64u : 0u) | (v.specular ? 128u : 0u) | choices << 8u;
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = v.blended ? "blend" : "forward",
                                            .vertex = "mesh.vert.glsl",
@@ -23,7 +24,7 @@ const gl::Program& ForwardPrograms::get(Variant v) {
                                            .compute = {},
                                            .defines = {{"BLENDED", flag(v.blended)},
                                                        {"ALPHA_MASK", flag(v.masked)},
-                                                       {"DETAIL", flag(v.detailed)},
+                                                       {"DETAIL", detail_define(v.detail)},
                                                        {"EMISSION", flag(v.emissive)},
                                                        {"SPECULAR", flag(v.specular)},
                                                        {"SKINNED", flag(v.skinned)},

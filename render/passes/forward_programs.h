@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "render/gl/program.h"
+#include "render/passes/surface_detail.h"
 #include "render/settings.h"
 
 namespace rambla::render {
@@ -14,7 +15,7 @@ public:
     struct Variant {
         bool blended = false;
         bool masked = false;
-        bool detailed = false;
+        SurfaceDetail detail = SurfaceDetail::colour;
         bool emissive = false;
         bool skinned = false;
         bool morphed = false;
@@ -30,7 +31,7 @@ public:
 
 private:
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, std::size_t{512} * k_brdf_models.size()> variants_{};
+    std::array<const gl::Program*, std::size_t{256} * k_surface_details * k_brdf_models.size()> variants_{};
 };
 
 }  // namespace rambla::render

@@ -5,12 +5,6 @@
 
 namespace rambla::render {
 
-bool has_detail(const assets::Material& material) {
-    return material.metalness_roughness_texture.texture != assets::k_none ||
-           material.normal_texture.texture != assets::k_none ||
-           material.occlusion_texture.texture != assets::k_none;
-}
-
 bool has_specular_textures(const assets::Material& material) {
     return material.specular_texture.texture != assets::k_none ||
            material.specular_colour_texture.texture != assets::k_none;
@@ -53,23 +47,23 @@ void bind_gbuffer(const PassContext& context, const FrameResources& resources) {
 
 GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {
     for (const bool masked : {false, true}) {
-        for (const bool detailed : {false, true})
-            static_cast<void>(program({.masked = masked, .detailed = detailed}));
+        for (const SurfaceDetail detail : {SurfaceDetail::colour, SurfaceDetail::normals})
+            static_cast<void>(program({.masked = masked, .detail = detail}));
     }
 }
 
 const gl::Program& GBufferPass::program(Variant variant) {
-    const std::size_t index = (variant.masked ? 1u : 0u) | (variant.detailed ? 2u : 0u) |
-                              (variant.emissive ? 4u : 0u) | (variant.skinned ? 8u : 0u) |
-                              (variant.morphed ? 16u : 0u) | (variant.specular ? 32u : 0u) |
-                              (variant.layout == GBufferLayout::wide ? 64u : 0u);
+    const std::size_t index =
+        (variant.masked ? 1u : 0u) | (variant.emissive ? 2u : 0u) | (variant.skinned ? 4u : 0u) |
+        (variant.morphed ? 8u : 0u) | (variant.specular ? 16u : 0u) |
+        (variant.layout == GBufferLayout::wide ? 32u : 0u) | static_cast<std::size_t>(variant.detail) << 6u;
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = "gbuffer",
                                            .vertex = "mesh.vert.glsl",
                                            .fragment = "gbuffer.frag.glsl",
                                            .compute = {},
                                            .defines = {{"ALPHA_MASK", variant.masked ? "1" : "0"},
-                                                       {"DETAIL", variant.detailed ? "1" : "0"},
+                                                       {"DETAIL", detail_define(variant.detail)},
                                                        {"EMISSION", variant.emissive ? "1" : "0"},
                                                        {"SPECULAR", variant.specular ? "1" : "0"},
                                                        {"GBUFFER_WIDE", gbuffer_define(variant.layout)},
@@ -117,7 +111,8 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
                 [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
                     return program(
                         {.masked = pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask),
-                         .detailed = has_detail(resources.scene.material(material)),
+                         .detail = surface_detail(resources.scene.material(material),
+                                                  resources.settings.detail.grade),
                          .emissive = emissive,
                          .skinned = pipeline.skinned,
                          .morphed = pipeline.morphed,

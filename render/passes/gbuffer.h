@@ -5,6 +5,7 @@
 
 #include "render/gl/program.h"
 #include "render/pass_context.h"
+#include "render/passes/surface_detail.h"
 
 namespace rambla::render {
 
@@ -21,7 +22,7 @@ private:
     /// and texture filtering is what this pass costs; emission needs a target; few meshes deform.
     struct Variant {
         bool masked = false;
-        bool detailed = false;
+        SurfaceDetail detail = SurfaceDetail::colour;
         bool emissive = false;
         bool skinned = false;
         bool morphed = false;
@@ -31,7 +32,7 @@ private:
     [[nodiscard]] const gl::Program& program(Variant variant);
 
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, 128> variants_{};
+    std::array<const gl::Program*, 64 * k_surface_details> variants_{};
 };
 
 /// Value of the shaders' define GBUFFER_WIDE.
@@ -45,9 +46,7 @@ void bind_geometry(const PassContext& context, const FrameResources& resources);
 void read_gbuffer(PassBuilder& pass, const FrameResources& resources);
 void bind_gbuffer(const PassContext& context, const FrameResources& resources);
 
-/// Whether a material needs the DETAIL variant of shaders/material.glsl.
-[[nodiscard]] bool has_detail(const assets::Material& material);
-/// Whether it needs the SPECULAR variant.
+/// Whether a material needs the SPECULAR variant of shaders/material.glsl.
 [[nodiscard]] bool has_specular_textures(const assets::Material& material);
 
 }  // namespace rambla::render

@@ -37,6 +37,7 @@ float sun_reaches(vec3 normal) {
 
 void main() {
     Material m = materials[varyings.material];
+    look_into_relief(m);
     vec4 base = sample_base_colour(m);
 #if ALPHA_MASK
     if (base.a < m.emissive_cutoff.a) discard;

@@ -17,6 +17,7 @@ layout(location = 3) out vec3 out_emission;
 
 void main() {
     Material m = materials[varyings.material];
+    look_into_relief(m);
     vec4 base = sample_base_colour(m);
 #if ALPHA_MASK
     if (base.a < m.emissive_cutoff.a) discard;

@@ -39,10 +39,15 @@ void main() {
     varyings.material = material_row(instance);
     Material m = materials[varyings.material];
     varyings.base_colour_uv = transformed_uv(m.base_colour_uv, uv0, uv1);
-#if DETAIL
+#if DETAIL >= 1
     varyings.metalness_roughness_uv = transformed_uv(m.metalness_roughness_uv, uv0, uv1);
-    varyings.normal_uv = transformed_uv(m.normal_uv, uv0, uv1);
     varyings.occlusion_uv = transformed_uv(m.occlusion_uv, uv0, uv1);
+#endif
+#if DETAIL >= 2
+    varyings.normal_uv = transformed_uv(m.normal_uv, uv0, uv1);
+#endif
+#if DETAIL >= 3
+    varyings.height_uv = transformed_uv(m.height_uv, uv0, uv1);
 #endif
 #if EMISSION
     varyings.emissive_uv = transformed_uv(m.emissive_uv, uv0, uv1);

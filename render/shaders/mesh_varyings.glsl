@@ -10,10 +10,15 @@ VARYING MeshVaryings {
     vec4 colour;
     flat uint material;  ///< row of the material buffer
     vec2 base_colour_uv;
-#if DETAIL
+#if DETAIL >= 1
     vec2 metalness_roughness_uv;
-    vec2 normal_uv;
     vec2 occlusion_uv;
+#endif
+#if DETAIL >= 2
+    vec2 normal_uv;
+#endif
+#if DETAIL >= 3
+    vec2 height_uv;
 #endif
 #if EMISSION
     vec2 emissive_uv;

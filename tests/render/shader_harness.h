@@ -38,10 +38,12 @@ public:
     /// @param include     a file under render/shaders
     /// @param statements  GLSL that computes `vec4 result` from `vec4 a, b, c, d`
     /// @param inputs      k_inputs_per_item vectors per item
+    /// @param functions   GLSL that the include leaves to its includer
     [[nodiscard]] std::vector<glm::vec4> run(const std::string& include, const std::string& statements,
-                                             std::span<const glm::vec4> inputs) {
+                                             std::span<const glm::vec4> inputs,
+                                             const std::string& functions = "") {
         const std::string text =
-            "#include \"" + include + "\"\n" +
+            "#include \"" + include + "\"\n" + functions +
             "layout(local_size_x = 64) in;\n"
             "layout(std430, binding = 8) readonly buffer InputBlock { vec4 inputs[]; };\n"
             "layout(std430, binding = 9) writeonly buffer OutputBlock { vec4 outputs[]; };\n"

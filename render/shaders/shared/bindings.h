@@ -25,7 +25,8 @@
 #define UNIT_EMISSIVE 4
 #define UNIT_SPECULAR 5
 #define UNIT_SPECULAR_COLOUR 6
-#define UNIT_PASS 7  // first of each pass's own
+#define UNIT_HEIGHT 7
+#define UNIT_PASS 8  // first of each pass's own
 
 // Vertex attributes of every mesh; missing columns hold neutral values.
 #define ATTRIBUTE_POSITION 0  // vec3, metres

@@ -25,7 +25,7 @@ struct FrameUniforms {
                     // padding
     vec4 eye_cell;  // xyz: integer cell, w: padding
     vec4 eye_local_m;  // xyz: place in the cell, w: time in seconds
-    uvec4 counts;      // x: local lights, y: 1 when orthographic, z: directional lights, w: padding
+    uvec4 counts;      // x: local lights, y: 1 when orthographic, z: directional lights, w: steps of looks into reliefs
 };
 SHARED_END
 

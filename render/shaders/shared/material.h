@@ -30,7 +30,7 @@ struct Material {
     uint alpha_mode;      // assets::AlphaMode
     float dielectric_f0;  // what it reflects at normal incidence where it is no metal and has no specular
                           // textures
-    uint padding1;
+    float height_depth;   // assets::Material::height_depth; 0 without a texture of heights
     vec4 specular;  // rgb reflectance at normal incidence, may exceed 1 before textures; a: strength
     UvTransform base_colour_uv;
     UvTransform metalness_roughness_uv;
@@ -39,10 +39,11 @@ struct Material {
     UvTransform emissive_uv;
     UvTransform specular_uv;
     UvTransform specular_colour_uv;
+    UvTransform height_uv;
 };
 SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(rambla::render::shared::Material) == 304);
+static_assert(sizeof(rambla::render::shared::Material) == 336);
 #endif
 #endif

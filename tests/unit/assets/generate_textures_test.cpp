@@ -33,7 +33,7 @@ TEST(Textures, FillTheirImages) {
     for (const PaintedSet& set : paint_all_patterns(5)) {
         for (const Image* image :
              {&set.colour, set.normal ? &*set.normal : nullptr, set.roughness ? &*set.roughness : nullptr,
-              set.emission ? &*set.emission : nullptr}) {
+              set.emission ? &*set.emission : nullptr, set.relief ? &set.relief->image : nullptr}) {
             if (image == nullptr) continue;
             EXPECT_EQ(image->texels.size(), std::size_t{image->width} * image->height * 4) << image->name;
         }
@@ -71,6 +71,33 @@ TEST(Textures, HaveUnitNormalsThatFaceOutwards) {
                 ASSERT_GT(normal.z, 0.0f) << set.name;
             }
         }
+    }
+}
+
+TEST(Textures, HaveHeightsThatNormalsAreTheSlopesOf) {
+    for (const Pattern pattern : {Pattern::brick, Pattern::stone, Pattern::paving}) {
+        const PaintedSet set = paint_pattern(pattern, 4);
+        ASSERT_TRUE(set.relief) << set.name;
+        const Image& heights = set.relief->image;
+        ASSERT_EQ(heights.width, heights.height) << "coordinates are as long one way as the other";
+        float lowest = 1.0f, highest = 0.0f;
+        double worst = 0.0;
+        for (std::uint32_t y = 1; y + 1 < heights.height; ++y) {
+            for (std::uint32_t x = 1; x + 1 < heights.width; ++x) {
+                lowest = std::min(lowest, texel(heights, x, y).x);
+                highest = std::max(highest, texel(heights, x, y).x);
+                const float rise = 0.5f * (texel(heights, x + 1, y).x - texel(heights, x - 1, y).x);
+                const float slope = rise * set.relief->depth * static_cast<float>(heights.width);
+                const glm::vec3 normal = 2.0f * glm::vec3{texel(*set.normal, x, y)} - 1.0f;
+                worst = std::max<double>(worst, std::abs(slope + normal.x / normal.z));
+            }
+        }
+        EXPECT_LT(lowest, 0.02f) << set.name;
+        EXPECT_GT(highest, 0.98f) << set.name;
+        // Heights are off by half a step of 1/255, and so is a difference of two, halved; normals by 1/255,
+        // which weighs up to 1 + slope² ≈ 6 where they are steepest.
+        const double step = set.relief->depth * heights.width / 255.0;
+        EXPECT_LT(worst, 0.5 * step + 6.0 * 1.5 / 255.0) << set.name;
     }
 }
 

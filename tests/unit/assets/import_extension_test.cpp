@@ -209,6 +209,30 @@ TEST(GltfMaterials, DefaultsAndStrangeNumbersStayInRange) {
                 HasSubstr("materials[0].extensions.KHR_materials_specular.specularTexture.index: texture 3"));
 }
 
+TEST(GltfMaterials, HeightsAreReadFromExtras) {
+    const auto import = [](const std::string& height) {
+        Draft draft;
+        return draft.load(R"(,"images":[{"uri":"data:image/png;base64,AA=="}],"textures":[{"source":0}],)"
+                          R"("materials":[{"extras":{"ramblaHeight":)" +
+                          height + "}}]");
+    };
+    const Scene scene = import(R"({"index":0,"texCoord":1,"depth":0.125})");
+    const Material& material = scene.materials[0];
+    ASSERT_EQ(material.height_texture.texture, 0u);
+    EXPECT_EQ(scene.textures[0].colour_space, ColourSpace::linear);
+    EXPECT_EQ(material.height_texture.uv_set, 1u);
+    EXPECT_EQ(material.height_depth, 0.125f);
+    EXPECT_EQ(import(R"({"index":0,"depth":9})").materials[0].height_depth, k_max_height_depth);
+    EXPECT_EQ(import(R"({"index":0,"depth":-9})").materials[0].height_depth, 0.0f);
+    EXPECT_EQ(import(R"({"index":0,"depth":"deep"})").materials[0].height_depth, 0.0f);
+    for (const char* const other :
+         {R"({"index":1,"depth":0.1})", R"({"depth":0.1})", "7", "[0]", R"("rough")"}) {
+        const LogCapture log;
+        EXPECT_EQ(import(other).materials[0].height_texture.texture, k_none) << other;
+        EXPECT_THAT(log.text(), HasSubstr("materials[0].extras.ramblaHeight")) << other;
+    }
+}
+
 TEST(Transmission, BecomesAlphaThatKeepsSomeSurface) {
     Scene scene;
     scene.materials.resize(2);

@@ -255,13 +255,15 @@ TEST(RenderThread, KeepsDrawingWithTheOldProgramsWhenAReloadFails) {
 }
 
 /// Hands over a scene of one image whose finer levels come from the source that is returned.
-std::shared_ptr<tests::TestLevels> upload_image(RenderThread& thread) {
+std::shared_ptr<tests::TestLevels> upload_image(
+    RenderThread& thread,
+    assets::TextureSlot assets::Material::*slot = &assets::Material::base_colour_texture) {
     const std::vector<assets::TextureData> images{tests::noise_texture(256, 256, 1)};
     auto source = std::make_shared<tests::TestLevels>(images);
     auto processed = std::make_shared<assets::ProcessedScene>();
     processed->images = tests::floors_of(images);
     processed->textures.push_back({.name = "", .image = 0, .sampler = {}});
-    processed->materials.emplace_back().base_colour_texture.texture = 0;
+    (processed->materials.emplace_back().*slot).texture = 0;
     thread.upload(std::make_shared<assets::Scene>(), processed, source);
     return source;
 }
@@ -295,6 +297,33 @@ TEST(RenderThread, NoFrameWaitsForLevelsOfTextures) {
     EXPECT_EQ(outputs.at(0).feedback.textures.loads, 1u);
     EXPECT_EQ(outputs.at(0).feedback.gl_objects, gl::live_counts().objects)
         << "the texture that was replaced is gone when the frame is drawn";
+}
+
+TEST(RenderThread, LoadsNoTexturesThatTheGradeOfDetailDoesNotSample) {
+    const struct {
+        assets::TextureSlot assets::Material::*slot;
+        DetailGrade grade;
+        std::uint64_t loads;
+    } cases[] = {{&assets::Material::base_colour_texture, DetailGrade::flat, 1},
+                 {&assets::Material::normal_texture, DetailGrade::flat, 0},
+                 {&assets::Material::normal_texture, DetailGrade::normal, 1},
+                 {&assets::Material::height_texture, DetailGrade::normal, 0},
+                 {&assets::Material::height_texture, DetailGrade::parallax, 1},
+                 {&assets::Material::height_texture, DetailGrade::occlusion, 1}};
+    for (const auto& test : cases) {
+        RenderThread thread{quick()};
+        const std::shared_ptr<tests::TestLevels> source = upload_image(thread, test.slot);
+        source->allow(1);
+        FrameInput& input = thread.begin();
+        fill_textured(input, 0);
+        input.complete_textures = true;
+        input.settings.detail.grade = test.grade;
+        thread.submit();
+        thread.finish();
+        const systems::TextureFeedback found = thread.collect().at(0).feedback.textures;
+        EXPECT_EQ(found.loads, test.loads) << static_cast<int>(test.grade);
+        EXPECT_EQ(found.below_demand, 0u) << static_cast<int>(test.grade);
+    }
 }
 
 TEST(RenderThread, APictureThatIsKeptWaitsForItsTextures) {

@@ -61,6 +61,13 @@ assets::Scene all_kinds() {
         material.specular_texture.texture = 0;
         add(material, 0);
     }
+    for (const auto mode : {assets::AlphaMode::opaque, assets::AlphaMode::mask, assets::AlphaMode::blend}) {
+        assets::Material material;
+        material.alpha_mode = mode;
+        material.height_texture.texture = 0;
+        material.height_depth = 0.01f;
+        add(material, 0);
+    }
     add({}, 1);
     add({}, 2);
     model.parts.push_back({.mesh = 0, .material = assets::k_none});
@@ -73,7 +80,7 @@ TEST(WarmUp, DrawsEveryMaterialOnceForEachWayToDeform) {
     const assets::Scene scene = all_kinds();
     for (const FrameInput& input : warm_up_frames(scene, {})) {
         EXPECT_EQ(input.frame.opaque.size() + input.frame.blended.size(), scene.materials.size() + 1 + 3);
-        EXPECT_EQ(input.frame.blended.size(), 5u);
+        EXPECT_EQ(input.frame.blended.size(), 6u);
         EXPECT_EQ(input.frame.casters.size(), input.frame.opaque.size());
     }
 }
@@ -92,6 +99,7 @@ TEST(WarmUp, IsForTheSettingsThatFramesWillHave) {
         options.compile_for.lighting.prepass = path % 2 == 1;
         options.compile_for.gbuffer.layout = GBufferLayout::wide;
         options.compile_for.brdf.model = Brdf::blinn;
+        options.compile_for.detail.grade = static_cast<DetailGrade>(path % k_detail_grades.size());
         Renderer renderer{options};
         renderer.upload(scene, *tests::quick_process(scene));
         const int compiled = *texts;
