@@ -259,6 +259,8 @@ Document load_document(const std::filesystem::path& file, const ImportLimits& li
     document.elements = std::min(limits.vertices, std::max(k_elements_at_least, k_elements_per_byte * total));
     document.elements_left = document.elements;
     warn_of_extensions(document);
+    for (const Finding& warning : claims.warnings)
+        document.warn(warning.element, warning.text);
     return document;
 }
 

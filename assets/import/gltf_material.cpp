@@ -114,6 +114,9 @@ private:
         if (const tinygltf::Value* const ior = extension("KHR_materials_ior")) {
             const float index = number_of(*ior, "ior", material_.ior);
             material_.ior = index == 0.0f ? 0.0f : std::max(index, 1.0f);
+            if (index != 0.0f && index < 1.0f)
+                document_.warn(element_ + ".extensions.KHR_materials_ior.ior",
+                               std::to_string(index) + " is neither 0 nor at least 1, and becomes 1");
         }
         if (const tinygltf::Value* const specular = extension("KHR_materials_specular")) {
             material_.specular = unit_interval(number_of(*specular, "specularFactor", 1.0f));

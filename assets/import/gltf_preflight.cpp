@@ -64,14 +64,31 @@ void for_each_integral_float(std::string_view json, const Use& use) {
 /// nlohmann's reader calls this for every token; returning false ends the walk.
 class Walk final : public nlohmann::json_sax<nlohmann::json> {
 public:
-    Walk(const std::string& file, const ImportLimits& limits) : file_{file}, limits_{limits} {}
+    Walk(const std::string& file, const ImportLimits& limits) : file_{file}, limits_{limits}, shape_{file} {}
 
     Preflight found;
 
-    bool null() override { return value(); }
-    bool boolean(bool) override { return value(); }
-    bool number_integer(number_integer_t) override { return value(); }
+    /// @throws Error  for values that cannot be meant
+    Preflight take() {
+        shape_.require();
+        found.warnings = shape_.take_warnings();
+        return std::move(found);
+    }
+
+    bool null() override {
+        shape_.null();
+        return value();
+    }
+    bool boolean(bool which) override {
+        shape_.boolean(which);
+        return value();
+    }
+    bool number_integer(number_integer_t number) override {
+        shape_.whole(std::int64_t{number});
+        return value();
+    }
     bool number_float(number_float_t number, const string_t& text) override {
+        shape_.number(number, text);
         found.has_integral_floats = found.has_integral_floats || integral_float(text).has_value();
         if (in_buffer() && key_ == "byteLength" && number >= 0.0 && number < k_exact_integers)
             found.buffers.back().byte_length = static_cast<std::uint64_t>(number);
@@ -79,10 +96,12 @@ public:
     }
     bool binary(binary_t&) override { return value(); }
     bool number_unsigned(number_unsigned_t number) override {
+        shape_.whole(std::uint64_t{number});
         if (in_buffer() && key_ == "byteLength") found.buffers.back().byte_length = number;
         return value();
     }
     bool string(string_t& text) override {
+        shape_.text(text);
         if (path_.size() == 2 && path_[1] == "asset" && key_ == "version") found.version = text;
         if (path_.size() == 2 && path_[1] == "asset" && key_ == "minVersion") found.min_version = text;
         if (path_.size() == 2 && path_[1] == "extensionsRequired") found.extensions_required.push_back(text);
@@ -96,15 +115,20 @@ public:
     }
     bool key(string_t& name) override {
         key_ = name;
+        shape_.key(name);
         // Of repeated keys the last one counts, as for tinygltf.
         if (in_buffer() && name == "uri") found.buffers.back().source = BufferClaim::Source::none;
         return true;
     }
     bool start_object(std::size_t) override {
+        shape_.open_object();
         if (path_.size() == 2 && path_[1] == "buffers") found.buffers.emplace_back();
         return open();
     }
-    bool start_array(std::size_t) override { return open(); }
+    bool start_array(std::size_t) override {
+        shape_.open_array();
+        return open();
+    }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
 
@@ -134,12 +158,14 @@ private:
         return true;
     }
     bool close() {
+        shape_.close();
         path_.pop_back();
         return true;
     }
 
     const std::string& file_;
     const ImportLimits& limits_;
+    ShapeCheck shape_;
     std::vector<std::string> path_;  ///< path_[1] names the top-level member that is open
     std::string key_;
     std::uint64_t values_ = 0;
@@ -189,7 +215,7 @@ Preflight preflight(const std::string& file, std::string_view json, const Import
     for (const std::string& name : walk.found.extensions_required)
         if (!supports_extension(name))
             throw Error{file, "extensionsRequired", in_quotes(name), "an extension that is supported"};
-    return std::move(walk.found);
+    return walk.take();
 }
 
 }  // namespace rambla::assets::gltf

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "assets/import/gltf.h"
+#include "assets/import/gltf_shape_check.h"
 
 namespace rambla::assets::gltf {
 
@@ -28,12 +29,14 @@ struct Preflight {
     std::vector<BufferClaim> buffers;
     std::map<std::string, std::uint64_t, std::less<>> counts;  ///< elements of each top-level array
     bool has_integral_floats = false;                          ///< numbers such as 1.0 or 1e0
+    std::vector<Finding> warnings;
 };
 
 /// Walks the JSON once without keeping it: its syntax, its depth (tinygltf recurses), its number of values
-/// (tinygltf multiplies them), its version and its required extensions.
-/// @throws Error  for broken JSON, another version than 2.x, and every required extension that is not
-/// supported
+/// (tinygltf multiplies them), the types and ranges of what the importer relies on (gltf_shape_check.h), its
+/// version and its required extensions.
+/// @throws Error  for broken JSON, values that cannot be meant, another version than 2.x, and every required
+/// extension that is not supported
 [[nodiscard]] Preflight preflight(const std::string& file, std::string_view json, const ImportLimits& limits);
 
 /// Writes "1.0" and "1e0" as "1  ", in their place: glTF takes all for integers, tinygltf only the last.

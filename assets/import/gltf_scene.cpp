@@ -60,6 +60,10 @@ Light import_light(const Document& document, const tinygltf::Light& source, cons
     if (light.kind == LightKind::spot) {
         light.outer_cone_rad =
             std::clamp(finite_float(source.spot.outerConeAngle), 0.0f, glm::half_pi<float>());
+        if (source.spot.innerConeAngle > source.spot.outerConeAngle)
+            document.warn(element + ".spot.innerConeAngle",
+                          std::to_string(source.spot.innerConeAngle) + " is not below outerConeAngle, " +
+                              std::to_string(source.spot.outerConeAngle) + ", and is clamped");
         light.inner_cone_rad =
             std::clamp(finite_float(source.spot.innerConeAngle), 0.0f, light.outer_cone_rad);
     }

@@ -39,14 +39,19 @@ public:
     }
 
     /// @param rest  further members of the document, with a leading comma
-    [[nodiscard]] std::string bytes(const std::string& rest) const {
+    [[nodiscard]] std::string bytes(const std::string& rest) const { return glb_of(json(rest)); }
+
+    [[nodiscard]] std::string json(const std::string& rest) const {
         std::string json = R"({"asset":{"version":"2.0"})";
         if (!data_.empty())
             json += R"(,"buffers":[{"byteLength":)" + std::to_string(data_.size()) + R"(}],"bufferViews":[)" +
                     views_ + "]";
         if (!accessors_.empty()) json += R"(,"accessors":[)" + accessors_ + "]";
-        return glb(json + rest + "}", data_);
+        return json + rest + "}";
     }
+
+    /// The file of a document over the accessors' data.
+    [[nodiscard]] std::string glb_of(const std::string& json) const { return glb(json, data_); }
 
     [[nodiscard]] Scene load(const std::string& rest) const {
         const ScratchFolder folder;

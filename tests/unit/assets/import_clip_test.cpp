@@ -164,7 +164,8 @@ TEST(GltfClips, ReferencesAndFormsThatDoNotFitAreRefused) {
     EXPECT_THAT(error(channel, R"({"input":2,"output":1})"), HasSubstr("samplers[0].input"));
     EXPECT_THAT(error(channel, R"({"input":1,"output":1})"), HasSubstr("input: 3 components"));
     EXPECT_THAT(error(channel, R"({"input":0,"output":8})"), HasSubstr("samplers[0].output: accessor 8"));
-    EXPECT_THAT(error(channel, R"({"input":-3,"output":1})"), HasSubstr("samplers[0].input: accessor -3"));
+    EXPECT_THAT(error(channel, R"({"input":-3,"output":1})"),
+                HasSubstr("samplers[0].input: -3, expected a whole number"));
     EXPECT_THAT(error(R"({"sampler":4,"target":{"node":0,"path":"scale"}})", R"({"input":0,"output":1})"),
                 HasSubstr("channels[0].sampler: sampler 4"));
     EXPECT_THAT(error(R"({"sampler":0,"target":{"node":5,"path":"scale"}})", R"({"input":0,"output":1})"),

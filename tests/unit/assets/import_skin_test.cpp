@@ -103,7 +103,7 @@ TEST(GltfSkins, JointsOutsideTheSkinOrOfNoNodeAreRefused) {
     EXPECT_THAT(draft.error(R"(,"skins":[{"joints":[0,7]}],"nodes":[{}])"),
                 HasSubstr("skins[0].joints[1]: node 7"));
     EXPECT_THAT(draft.error(R"(,"skins":[{"joints":[-1]}],"nodes":[{}])"),
-                HasSubstr("skins[0].joints[0]: node -1"));
+                HasSubstr("skins[0].joints[0]: -1, expected a whole number"));
     EXPECT_THAT(draft.error(R"(,"skins":[{"joints":[0],"skeleton":3}],"nodes":[{}])"),
                 HasSubstr("skins[0].skeleton: node 3"));
     EXPECT_THAT(draft.error(R"(,"nodes":[{"mesh":0,"skin":1}],"meshes":[{"primitives":[]}])"),
