@@ -86,6 +86,7 @@ std::vector<Image> decode_all(const Document& document, const std::vector<std::u
     const std::vector<std::uint64_t> budgets = texel_budgets(document, wanted);
     std::vector<Image> images(wanted.size());
     std::vector<std::string> failures(wanted.size());
+    const std::string path = document.path.string() + ": ";
     tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
         const tinygltf::Image& source = document.model.images[wanted[i]];
         const std::string name = !source.name.empty() ? source.name : source.uri;
@@ -97,6 +98,8 @@ std::vector<Image> decode_all(const Document& document, const std::vector<std::u
         } catch (const std::exception& error) {
             images[i] = placeholder_image(name);
             failures[i] = error.what();
+            // The warning names the document already.
+            if (failures[i].starts_with(path)) failures[i].erase(0, path.size());
         }
     });
     for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -50,11 +50,22 @@ std::optional<std::string> format_of(std::span<const std::byte> bytes, const std
     return std::nullopt;
 }
 
+void replace_all(std::string& text, std::string_view part, std::string_view replacement) {
+    for (std::size_t at = text.find(part); at != std::string::npos;
+         at = text.find(part, at + replacement.size()))
+        text.replace(at, part.size(), replacement);
+}
+
 /// The reason of a failure, taken so that OpenImageIO does not print it at exit.
-std::string reason(const OIIO::ImageInput* input) {
+/// @param name  of the picture, which need not be repeated
+std::string reason(const OIIO::ImageInput* input, const std::string& name) {
     std::string text = input != nullptr ? input->geterror() : std::string{};
     const std::string global = OIIO::geterror();
     if (text.empty()) text = global;
+    const std::string quoted = '"' + name + '"';
+    replace_all(text, " (" + quoted + ")", "");
+    replace_all(text, " for " + quoted, "");
+    replace_all(text, "\n", "; ");
     return text.empty() ? "broken picture" : gltf::in_quotes(text);
 }
 
@@ -133,7 +144,7 @@ public:
                         "PNG, JPEG, HDR, EXR, TIFF, TGA or DDS"};
         format_ = *format;
         input_ = OIIO::ImageInput::create(format_);
-        if (!input_) throw Error{name, "", reason(nullptr), ""};
+        if (!input_) throw Error{name, "", reason(nullptr, name), ""};
         if (format_ == "png") {
             essential_ = essential_png(bytes, name);
             bytes = essential_;
@@ -146,7 +157,7 @@ public:
                           1);  // colours stay as stored: glTF's alpha is not premultiplied
         input_->threads(1);    // callers decode many pictures in parallel
         if (!input_->set_ioproxy(&*memory_) || !input_->open(name, spec_, request))
-            throw Error{name, "", reason(input_.get()), ""};
+            throw Error{name, "", reason(input_.get(), name), ""};
         check_size(spec_, name, limits);
     }
 
@@ -173,7 +184,7 @@ Image read_texels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const st
     image.texels.resize(count * bytes_per_texel(image.format));
     const OIIO::TypeDesc type = is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
     if (!input.read_image(0, 0, 0, channels, type, image.texels.data()))
-        throw Error{name, "", reason(&input), ""};
+        throw Error{name, "", reason(&input, name), ""};
     if (is_float)
         spread_channels<float>(image.texels, count, channels, 1.0f);
     else

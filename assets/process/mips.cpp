@@ -71,10 +71,13 @@ std::vector<Image> colour_mips(const Image& picture, const ColourMips& options) 
             light = half_of(light);
             if (weighs) plain = half_of(plain);
         }
-        Raster shown = light;
-        if (weighs) take_weights_out(shown, plain);
-        if (tests) keep_coverage(shown, coverage, options.cutoff);
-        levels.push_back(to_image(shown, picture.format, options.colour_space));
+        Raster unweighted;
+        if (weighs) {
+            unweighted = light;
+            take_weights_out(unweighted, plain);
+        }
+        if (tests) keep_coverage(unweighted, coverage, options.cutoff);
+        levels.push_back(to_image(weighs ? unweighted : light, picture.format, options.colour_space));
     }
     return levels;
 }

@@ -1,6 +1,7 @@
 #include "assets/process/texture.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "assets/process/blocks.h"
 #include "assets/process/compress.h"
@@ -74,7 +75,7 @@ TextureData process_texture(const TextureJob& job, ChannelMask channels, std::sp
                             const TextureParameters& parameters) {
     const Image ones = job.image == k_none ? all_ones() : Image{};
     const Image& picture = job.image == k_none ? ones : images[job.image];
-    const std::vector<Image> levels = levels_of(job, picture, images);
+    std::vector<Image> levels = levels_of(job, picture, images);
     const Image& finest = levels.front();
 
     Layout layout;
@@ -98,9 +99,17 @@ TextureData process_texture(const TextureJob& job, ChannelMask channels, std::sp
                         .normal_map = job.role == TextureRole::normals,
                         .levels = {},
                         .bytes = {}};
-    for (const Image& level : levels) {
-        CompressedImage stored{.bytes = level.texels};
-        if (!plain) stored = compressed(arranged(level, layout), layout.format, effort);
+    std::size_t bytes = 0;
+    for (const Image& level : levels)
+        bytes += stored_size(layout.format, level.width, level.height);
+    texture.bytes.reserve(bytes);
+    for (Image& level : levels) {
+        CompressedImage stored;
+        if (plain)
+            stored.bytes = std::move(level.texels);
+        else
+            stored = compressed(arranged(level, layout), layout.format, effort);
+        level.texels = {};
         texture.levels.push_back({.width = level.width,
                                   .height = level.height,
                                   .offset = texture.bytes.size(),

@@ -89,6 +89,9 @@ TEST(PictureLimits, AJpegsFrameIsReadBeforeTheLibraryBelievesIt) {
     EXPECT_THAT(decoding_error(jpeg(k_progressive, 65500, 20, 1)), HasSubstr("65500 x 20 pixels"));
     EXPECT_THAT(decoding_error(jpeg(k_progressive, 20, 65500, 1)), HasSubstr("20 x 65500 pixels"));
     EXPECT_THAT(decoding_error(jpeg(k_progressive, 8, 8, 101)), HasSubstr("100 scans"));
+    // The library's words follow the picture's name, and do not repeat it.
+    EXPECT_THAT(decoding_error(jpeg(k_progressive, 8, 8, 1).substr(0, 8)),
+                HasSubstr("\"JPEG error: Premature end of JPEG file; JPEG error: Bogus marker length\""));
     EXPECT_THAT(decoding_error(jpeg(k_progressive, 8, 8, 100)), ::testing::Not(HasSubstr("scans")));
     // A frame inside of another segment, as in the preview that cameras store, is none.
     std::string preview = jpeg(0xc0, 8, 8, 1);
