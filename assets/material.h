@@ -78,6 +78,17 @@ struct Material {
 
 inline constexpr float k_max_height_depth = 0.25f;  ///< of Material::height_depth;
 
+/// Whether light goes through some of it: none does through metals (KHR_materials_transmission).
+[[nodiscard]] inline bool transmits(const Material& material) {
+    const bool metal = material.metalness >= 1.0f && material.metalness_roughness_texture.texture == k_none;
+    return material.transmission > 0.0f && !metal && !material.unlit;
+}
+
+/// Its alpha mode, but that what transmits is blended with what lies behind it.
+[[nodiscard]] inline AlphaMode drawn_as(const Material& material) {
+    return transmits(material) ? AlphaMode::blend : material.alpha_mode;
+}
+
 /// Calls `visit` with each texture slot of a material.
 template <class M, class Visit>
 void for_each_texture_slot(M& material, Visit&& visit) {

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "assets/generate/places.h"
-#include "assets/transmission.h"
 #include "game/camera_path.h"
 #include "systems/position.h"
 #include "systems/spawn.h"
@@ -40,9 +39,8 @@ Stage make_stage(assets::Scene scene, const assets::Environment& light,
                  const systems::WorldPosition& origin) {
     Stage stage;
     stage.world = std::make_unique<ecs::World>();
-    stage.world->set_resource(systems::Sunlight{light});
-    assets::blend_transmission(scene);
     take(stage, systems::spawn(*stage.world, scene, origin));
+    stage.world->set_resource(systems::Sunlight{light});
     stage.scene = std::make_shared<const assets::Scene>(std::move(scene));
     stage.origin = origin;
     return stage;

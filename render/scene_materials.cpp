@@ -10,6 +10,8 @@ namespace rambla::render {
 
 namespace {
 
+static_assert(static_cast<std::uint32_t>(assets::AlphaMode::blend) == shared::k_alpha_blend);
+
 // KHR_texture_transform: uv' = T · R · S · uv with R = [cos sin; −sin cos], as rotation counts
 // counter-clockwise for a v axis that points down.
 shared::UvTransform shader_transform(const assets::TextureSlot& slot) {
@@ -34,6 +36,7 @@ std::array<BoundTexture, k_material_units> bound_textures(const assets::Material
     set(UNIT_SPECULAR, material.specular_texture, textures.white);
     set(UNIT_SPECULAR_COLOUR, material.specular_colour_texture, textures.white);
     set(UNIT_HEIGHT, material.height_texture, textures.white);
+    set(UNIT_TRANSMISSION, material.transmission_texture, textures.white);
     return bound;
 }
 
@@ -95,7 +98,9 @@ shared::Material shader_material(const assets::Material& m, bool normal_z_is_mis
             .emissive_uv = shader_transform(m.emissive_texture),
             .specular_uv = shader_transform(m.specular_texture),
             .specular_colour_uv = shader_transform(m.specular_colour_texture),
-            .height_uv = shader_transform(m.height_texture)};
+            .height_uv = shader_transform(m.height_texture),
+            .transmission_uv = shader_transform(m.transmission_texture),
+            .transmission = {m.transmission, 0.0f, 0.0f, 0.0f}};
 }
 
 SceneMaterials upload_materials(const assets::ProcessedScene& scene, const SceneTextures& textures) {

@@ -14,9 +14,9 @@
 namespace rambla::render {
 
 /// Textures that a material may have.
-inline constexpr std::size_t k_material_units = UNIT_PASS;
+inline constexpr std::size_t k_material_units = UNIT_BESIDE_MATERIALS;
 
-/// Names to bind for one material, in the order of the units UNIT_BASE_COLOUR … UNIT_HEIGHT.
+/// Names to bind for one material, in the order of the units UNIT_BASE_COLOUR … UNIT_TRANSMISSION.
 struct MaterialSlots {
     std::array<GLuint, k_material_units> textures{};
     std::array<GLuint, k_material_units> samplers{};

@@ -66,7 +66,7 @@ public:
     /// Row of a material in materials().
     [[nodiscard]] std::uint32_t material_row(std::uint32_t material) const;
 
-    /// Binds a material's textures to the units UNIT_BASE_COLOUR … UNIT_HEIGHT.
+    /// Binds a material's textures to the units UNIT_BASE_COLOUR … UNIT_TRANSMISSION.
     void bind_textures(std::uint32_t material) const;
     /// Binds the base colour alone: what masked materials need in depth passes.
     void bind_base_colour(std::uint32_t material) const;

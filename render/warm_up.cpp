@@ -98,7 +98,7 @@ systems::Frame warm_up_frame(const assets::Scene& scene) {
         const assets::Material material =
             index < scene.materials.size() ? scene.materials[index] : assets::Material{};
         const systems::Pipeline pipeline{.double_sided = true,
-                                         .alpha = static_cast<std::uint8_t>(material.alpha_mode),
+                                         .alpha = static_cast<std::uint8_t>(assets::drawn_as(material)),
                                          .topology = static_cast<std::uint8_t>(scene.meshes[mesh].topology),
                                          .unlit = material.unlit,
                                          .skinned = look.skinned,
@@ -111,7 +111,7 @@ systems::Frame warm_up_frame(const assets::Scene& scene) {
         systems::Instance instance = instance_of(scene.meshes[mesh], index);
         if (look.skinned) instance.joints = add_joints(frame, scene.meshes[mesh], instance);
         frame.instances.push_back(instance);
-        if (material.alpha_mode == assets::AlphaMode::blend) {
+        if (assets::drawn_as(material) == assets::AlphaMode::blend) {
             frame.blended.push_back(batch);
         } else {
             frame.opaque.push_back(batch);

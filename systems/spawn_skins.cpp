@@ -56,7 +56,7 @@ Renderable renderable_of(const assets::Scene& scene, const assets::ModelPart& pa
     return {part.mesh, part.material,
             pack({.double_sided = material.double_sided,
                   .mirrored = false,
-                  .alpha = static_cast<std::uint8_t>(material.alpha_mode),
+                  .alpha = static_cast<std::uint8_t>(assets::drawn_as(material)),
                   .topology = static_cast<std::uint8_t>(mesh.topology),
                   .unlit = material.unlit,
                   .skinned = skinned,
@@ -64,7 +64,7 @@ Renderable renderable_of(const assets::Scene& scene, const assets::ModelPart& pa
 }
 
 bool casts_shadows(const assets::Scene& scene, const assets::ModelPart& part) {
-    return material_of(scene, part).alpha_mode != assets::AlphaMode::blend &&
+    return assets::drawn_as(material_of(scene, part)) != assets::AlphaMode::blend &&
            scene.meshes.at(part.mesh).topology == assets::Topology::triangles;
 }
 

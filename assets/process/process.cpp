@@ -26,8 +26,7 @@ std::vector<MeshUse> mesh_uses(const Scene& scene) {
             use.meets_others = use.meets_others || model.parts.size() > 1;
             if (part.material == k_none) continue;
             const Material& material = scene.materials[part.material];
-            use.see_through =
-                use.see_through || material.alpha_mode != AlphaMode::opaque || material.transmission > 0.0f;
+            use.see_through = use.see_through || drawn_as(material) != AlphaMode::opaque;
         }
     return uses;
 }

@@ -48,6 +48,7 @@ private:
         use(material.specular_colour_texture, as(TextureRole::colour, before.specular_colour_texture), k_rgb);
         use(material.normal_texture, as(TextureRole::normals, before.normal_texture), k_red | k_green);
         use(material.specular_texture, as(TextureRole::data, before.specular_texture), k_alpha);
+        if (!transmits(before)) material.transmission_texture.texture = k_none;
         use(material.transmission_texture, as(TextureRole::data, before.transmission_texture), k_red);
         use(material.height_texture, as(TextureRole::data, before.height_texture), k_red);
         plan_roughness(material, before);

@@ -72,8 +72,9 @@ void count_calls() {
     take_all<CallKind::bind, &glBindBuffer, &glBindBufferBase, &glBindBufferRange, &glBindBuffersBase,
              &glBindFramebuffer, &glBindSampler, &glBindSamplers, &glBindTextureUnit, &glBindTextures,
              &glBindVertexArray, &glUniform4f, &glUseProgram>();
-    take_all<CallKind::state, &glBlendFunc, &glClipControl, &glColorMask, &glCullFace, &glDepthFunc,
-             &glDepthMask, &glDisable, &glEnable, &glFrontFace, &glPixelStorei, &glScissor, &glViewport>();
+    take_all<CallKind::state, &glBlendFunc, &glBlendFunci, &glClipControl, &glColorMask, &glCullFace,
+             &glDepthFunc, &glDepthMask, &glDisable, &glEnable, &glFrontFace, &glPixelStorei, &glScissor,
+             &glViewport>();
     take_all<CallKind::transfer, &glCompressedTextureSubImage2D, &glCopyImageSubData, &glGetTextureImage,
              &glMapNamedBufferRange, &glNamedBufferSubData, &glTextureSubImage2D, &glUnmapNamedBuffer>();
     take_all<CallKind::object, &glAttachShader, &glCheckNamedFramebufferStatus, &glCompileShader,

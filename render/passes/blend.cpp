@@ -17,26 +17,33 @@ void BlendPass::add(RenderGraph& graph, FrameResources& resources) {
         },
         [this, &resources, shadowed](PassContext& context) {
             if (shadowed) {
-                context.bind_texture(UNIT_PASS, resources.shadow_map, resources.samplers.depth_compare);
+                context.bind_texture(UNIT_BESIDE_MATERIALS, resources.shadow_map,
+                                     resources.samplers.depth_compare);
                 resources.sun_shadow.bind(GL_UNIFORM_BUFFER, BINDING_PASS_UNIFORMS);
             }
             glEnable(GL_DEPTH_TEST);
             glDepthFunc(GL_GREATER);
             glEnable(GL_BLEND);
-            glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+            // Of the one target alone: a second source for others, even absent ones, is more than OpenGL
+            // promises.
+            glBlendFunci(0, GL_ONE, GL_SRC1_COLOR);
             const Settings& settings = resources.settings;
             resources.counts += resources.blended.draw(
                 resources.scene,
                 [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
+                    const assets::Material& look = resources.scene.material(material);
+                    const bool transmissive = assets::transmits(look);
                     return programs_.get(
                         {.blended = true,
-                         .detail = surface_detail(resources.scene.material(material), settings.detail.grade),
+                         .masked = transmissive && look.alpha_mode == assets::AlphaMode::mask,
+                         .detail = surface_detail(look, settings.detail.grade),
                          .emissive = true,
                          .skinned = pipeline.skinned,
                          .morphed = pipeline.morphed,
                          .shadowed = shadowed,
                          .wide_filter = shadowed && settings.shadows.taps == ShadowTaps::sixteen,
-                         .specular = has_specular_textures(resources.scene.material(material)),
+                         .specular = has_specular_textures(look),
+                         .transmissive = transmissive,
                          .brdf = settings.brdf.model});
                 });
         });

@@ -15,6 +15,7 @@ const gl::Program& DepthPrePass::program(bool masked, bool skinned, bool morphed
                                            .defines = {{"DETAIL", "0"},
                                                        {"EMISSION", "0"},
                                                        {"SPECULAR", "0"},
+                                                       {"TRANSMISSION", "0"},
                                                        {"SKINNED", skinned ? "1" : "0"},
                                                        {"MORPHED", morphed ? "1" : "0"}}});
     }

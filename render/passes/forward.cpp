@@ -21,7 +21,8 @@ void ForwardPass::add(RenderGraph& graph, FrameResources& resources) {
         },
         [this, &resources, shadowed, depth_known](PassContext& context) {
             if (shadowed) {
-                context.bind_texture(UNIT_PASS, resources.shadow_map, resources.samplers.depth_compare);
+                context.bind_texture(UNIT_BESIDE_MATERIALS, resources.shadow_map,
+                                     resources.samplers.depth_compare);
                 resources.sun_shadow.bind(GL_UNIFORM_BUFFER, BINDING_PASS_UNIFORMS);
             }
             enable_depth(depth_known);

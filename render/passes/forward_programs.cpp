@@ -16,7 +16,8 @@ const gl::Program& ForwardPrograms::get(Variant v) {
         static_cast<std::size_t>(v.brdf) * k_surface_details + static_cast<std::size_t>(v.detail);
     const std::size_t index = (v.blended ? 1u : 0u) | (v.masked ? 2u : 0u) | (v.emissive ? 4u : 0u) |
                               (v.skinned ? 8u : 0u) | (v.morphed ? 16u : 0u) | (v.shadowed ? 32u : 0u) |
-                              (v.wide_filter ? 64u : 0u) | (v.specular ? 128u : 0u) | choices << 8u;
+                              (v.wide_filter ? 64u : 0u) | (v.specular ? 128u : 0u) |
+                              (v.transmissive ? 256u : 0u) | choices << 9u;
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = v.blended ? "blend" : "forward",
                                            .vertex = "mesh.vert.glsl",
@@ -27,6 +28,7 @@ const gl::Program& ForwardPrograms::get(Variant v) {
                                                        {"DETAIL", detail_define(v.detail)},
                                                        {"EMISSION", flag(v.emissive)},
                                                        {"SPECULAR", flag(v.specular)},
+                                                       {"TRANSMISSION", flag(v.transmissive)},
                                                        {"SKINNED", flag(v.skinned)},
                                                        {"MORPHED", flag(v.morphed)},
                                                        {"SHADOW_MAP", flag(v.shadowed)},

@@ -22,6 +22,7 @@ public:
         bool shadowed = false;
         bool wide_filter = false;
         bool specular = false;
+        bool transmissive = false;
         Brdf brdf = Brdf::ggx;
     };
 
@@ -31,7 +32,7 @@ public:
 
 private:
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, std::size_t{256} * k_surface_details * k_brdf_models.size()> variants_{};
+    std::array<const gl::Program*, std::size_t{512} * k_surface_details * k_brdf_models.size()> variants_{};
 };
 
 }  // namespace rambla::render

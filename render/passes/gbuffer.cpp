@@ -45,13 +45,6 @@ void bind_gbuffer(const PassContext& context, const FrameResources& resources) {
     context.bind_texture(UNIT_PASS + 3, resources.surface, resources.samplers.nearest);
 }
 
-GBufferPass::GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {
-    for (const bool masked : {false, true}) {
-        for (const SurfaceDetail detail : {SurfaceDetail::colour, SurfaceDetail::normals})
-            static_cast<void>(program({.masked = masked, .detail = detail}));
-    }
-}
-
 const gl::Program& GBufferPass::program(Variant variant) {
     const std::size_t index =
         (variant.masked ? 1u : 0u) | (variant.emissive ? 2u : 0u) | (variant.skinned ? 4u : 0u) |
@@ -66,6 +59,7 @@ const gl::Program& GBufferPass::program(Variant variant) {
                                                        {"DETAIL", detail_define(variant.detail)},
                                                        {"EMISSION", variant.emissive ? "1" : "0"},
                                                        {"SPECULAR", variant.specular ? "1" : "0"},
+                                                       {"TRANSMISSION", "0"},
                                                        {"GBUFFER_WIDE", gbuffer_define(variant.layout)},
                                                        {"SKINNED", variant.skinned ? "1" : "0"},
                                                        {"MORPHED", variant.morphed ? "1" : "0"}}});

@@ -13,7 +13,7 @@ namespace rambla::render {
 /// the chosen layout, and emission when the Frame says that something emits.
 class GBufferPass {
 public:
-    explicit GBufferPass(gl::ProgramRegistry& programs);
+    explicit GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {}
 
     void add(RenderGraph& graph, FrameResources& resources);
 

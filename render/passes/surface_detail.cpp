@@ -23,7 +23,7 @@ std::string detail_define(SurfaceDetail detail) {
 }
 
 std::uint32_t sampled_units(DetailGrade grade) {
-    constexpr std::uint32_t k_all = (1u << UNIT_PASS) - 1u;
+    constexpr std::uint32_t k_all = (1u << UNIT_BESIDE_MATERIALS) - 1u;
     constexpr std::uint32_t k_height = 1u << UNIT_HEIGHT;
     constexpr std::uint32_t k_normal = 1u << UNIT_NORMAL;
     if (grade == DetailGrade::flat) return k_all & ~(k_height | k_normal);

@@ -18,7 +18,7 @@ inline constexpr std::size_t k_surface_details = 5;
 [[nodiscard]] SurfaceDetail surface_detail(const assets::Material& material, DetailGrade grade);
 [[nodiscard]] std::string detail_define(SurfaceDetail detail);
 
-/// A bit per texture unit below UNIT_PASS that some program of the grade samples.
+/// A bit per texture unit below UNIT_BESIDE_MATERIALS that some program of the grade samples.
 [[nodiscard]] std::uint32_t sampled_units(DetailGrade grade);
 
 }  // namespace rambla::render

@@ -65,6 +65,7 @@ const gl::Program& DebugViewPass::overdraw_program(bool skinned, bool morphed) {
                                   .defines = {{"DETAIL", "0"},
                                               {"EMISSION", "0"},
                                               {"SPECULAR", "0"},
+                                              {"TRANSMISSION", "0"},
                                               {"SKINNED", skinned ? "1" : "0"},
                                               {"MORPHED", morphed ? "1" : "0"}}});
     }

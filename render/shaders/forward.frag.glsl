@@ -1,6 +1,7 @@
 // Surfaces lit as they are drawn, as deferred shading would light what the compact G-buffer keeps of them. Blended ones
-// come out premultiplied, so that glass keeps its highlights however clear it is. Defines: BLENDED, ALPHA_MASK, SHADOW_MAP,
-// TAPS, LOCAL_LIGHTS, BRDF, and those of material.glsl.
+// say apart what they send and which share of each colour behind them they let through, so that clear glass keeps its
+// highlights and coloured glass colours. Defines: BLENDED, ALPHA_MASK, SHADOW_MAP, TAPS, LOCAL_LIGHTS, BRDF, and those of
+// material.glsl.
 #include "material.glsl"
 #include "gbuffer_layout.glsl"
 #include "to_eye.glsl"
@@ -9,13 +10,18 @@
 #include "colour.glsl"
 #if SHADOW_MAP
 #include "shadow_lookup.glsl"
-layout(binding = UNIT_PASS) uniform sampler2DShadow sun_shadow_map;
+layout(binding = UNIT_BESIDE_MATERIALS) uniform sampler2DShadow sun_shadow_map;
 layout(std140, binding = BINDING_PASS_UNIFORMS) uniform SunShadowBlock {
     SunShadow shadow;
 };
 #endif
 
+#if BLENDED
+layout(location = 0, index = 0) out vec4 out_radiance;
+layout(location = 0, index = 1) out vec4 out_passes;  ///< share of what lies behind, in each colour
+#else
 layout(location = 0) out vec4 out_radiance;
+#endif
 
 /// As the shadow result's byte holds it.
 float sun_reaches(vec3 normal) {
@@ -49,6 +55,16 @@ void main() {
                              kept_reflectance(sample_dielectric_f0(m)));
     vec3 to_eye = direction_to_eye(varyings.position);
     float distance_m = dot(varyings.position, -frame.world_from_view[2].xyz);
+#if TRANSMISSION
+    // The transmitted part replaces diffuse reflection below the same Fresnel layer (KHR_materials_transmission).
+    float transmission = sample_transmission(m);
+    float n_dot_v = clamp(dot(normal, to_eye), k_min_n_dot_v, 1.0);
+    vec3 enters = 1.0 - environment_reflectance(s.f0, s.f90, s.roughness, n_dot_v);
+    vec3 goes_through = transmission * enters * s.diffuse;
+    s.diffuse *= 1.0 - transmission;
+#else
+    const vec3 goes_through = vec3(0.0);
+#endif
 
     vec3 radiance = sky_light(s, to_eye) + sun_light(s, to_eye, sun_reaches(normal)) +
                     directional_lights(s, to_eye) + local_lights(s, varyings.position, to_eye, distance_m);
@@ -58,7 +74,8 @@ void main() {
     radiance += kept_emission(unlit ? base.rgb : sample_emission(m));
 #endif
 #if BLENDED
-    float alpha = clamp(base.a, 0.0, 1.0);
+    float alpha = m.alpha_mode == k_alpha_blend ? clamp(base.a, 0.0, 1.0) : 1.0;
+    out_passes = vec4(1.0 - alpha + alpha * goes_through, 1.0 - alpha);
 #else
     const float alpha = 1.0;
 #endif

@@ -4,6 +4,7 @@
 //             (offset-limited parallax), 4: heights with parallax occlusion
 //   EMISSION  1: emissive texture
 //   SPECULAR  1: textures of a dielectric's reflection
+//   TRANSMISSION  1: how much light goes through
 #include "frame.glsl"
 #include "scene_buffers.glsl"
 #include "colour.glsl"
@@ -20,6 +21,9 @@ layout(binding = UNIT_OCCLUSION) uniform sampler2D occlusion_texture;
 layout(binding = UNIT_EMISSIVE) uniform sampler2D emissive_texture;
 layout(binding = UNIT_SPECULAR) uniform sampler2D specular_texture;
 layout(binding = UNIT_SPECULAR_COLOUR) uniform sampler2D specular_colour_texture;
+#if TRANSMISSION
+layout(binding = UNIT_TRANSMISSION) uniform sampler2D transmission_texture;
+#endif
 #if DETAIL >= 3
 layout(binding = UNIT_HEIGHT) uniform sampler2D height_texture;
 #endif
@@ -147,3 +151,11 @@ float sample_dielectric_f0(Material m) {
     return m.dielectric_f0;
 #endif
 }
+
+#if TRANSMISSION
+/// KHR_materials_transmission: of the light that a dielectric does not reflect, the share that goes through instead of
+/// being scattered.
+float sample_transmission(Material m) {
+    return m.transmission.x * SAMPLE(transmission_texture, transmission_uv).r;
+}
+#endif

@@ -56,4 +56,7 @@ void main() {
     varyings.specular_uv = transformed_uv(m.specular_uv, uv0, uv1);
     varyings.specular_colour_uv = transformed_uv(m.specular_colour_uv, uv0, uv1);
 #endif
+#if TRANSMISSION
+    varyings.transmission_uv = transformed_uv(m.transmission_uv, uv0, uv1);
+#endif
 }

@@ -27,4 +27,7 @@ VARYING MeshVaryings {
     vec2 specular_uv;
     vec2 specular_colour_uv;
 #endif
+#if TRANSMISSION
+    vec2 transmission_uv;
+#endif
 } varyings;

@@ -190,7 +190,7 @@ private:
         const systems::Pipeline pipeline{
             .double_sided = m.double_sided,
             .mirrored = glm::determinant(glm::mat3{relative}) < 0.0f,
-            .alpha = static_cast<std::uint8_t>(m.alpha_mode),
+            .alpha = static_cast<std::uint8_t>(assets::drawn_as(m)),
             .topology = static_cast<std::uint8_t>(scene.meshes[thing.mesh].topology),
             .unlit = m.unlit,
             .skinned = !thing.world_from_mesh.empty(),
@@ -208,7 +208,7 @@ private:
                                    .morphs = static_cast<std::uint32_t>(frame.morphs.size())});
         const assets::Bounds box = deform(thing, relative);
         frame.visible.expand(box);
-        const bool blended = m.alpha_mode == assets::AlphaMode::blend;
+        const bool blended = assets::drawn_as(m) == assets::AlphaMode::blend;
         (blended ? frame.blended : frame.opaque).push_back(batch);
         if (m.unlit || glm::dot(m.emissive, glm::vec3{1.0f}) > 0.0f)
             frame.emissive = frame.emissive || !blended;

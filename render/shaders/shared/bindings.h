@@ -26,7 +26,9 @@
 #define UNIT_SPECULAR 5
 #define UNIT_SPECULAR_COLOUR 6
 #define UNIT_HEIGHT 7
-#define UNIT_PASS 8  // first of each pass's own
+#define UNIT_TRANSMISSION 8
+#define UNIT_BESIDE_MATERIALS 9  // first of a pass's own, where it draws materials
+#define UNIT_PASS 0              // the same, where it draws none: OpenGL promises 16 units
 
 // Vertex attributes of every mesh; missing columns hold neutral values.
 #define ATTRIBUTE_POSITION 0  // vec3, metres

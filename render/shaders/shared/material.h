@@ -13,6 +13,8 @@ SHARED_CONSTANT k_material_double_sided = 2u;
 SHARED_CONSTANT k_material_has_normal_texture = 4u;
 SHARED_CONSTANT k_material_normal_z_is_missing = 8u;
 
+SHARED_CONSTANT k_alpha_blend = 2u;  // of assets::AlphaMode
+
 // uv' = (dot(row0.xy, uv) + row0.z, dot(row1.xy, uv) + row1.z)
 struct UvTransform {
     vec4 row0;  // w: uv set, 0 or 1
@@ -31,7 +33,7 @@ struct Material {
     float dielectric_f0;  // what it reflects at normal incidence where it is no metal and has no specular
                           // textures
     float height_depth;   // assets::Material::height_depth; 0 without a texture of heights
-    vec4 specular;  // rgb reflectance at normal incidence, may exceed 1 before textures; a: strength
+    vec4 specular;        // rgb reflectance at normal incidence, may exceed 1 before textures; a: strength
     UvTransform base_colour_uv;
     UvTransform metalness_roughness_uv;
     UvTransform normal_uv;
@@ -40,10 +42,12 @@ struct Material {
     UvTransform specular_uv;
     UvTransform specular_colour_uv;
     UvTransform height_uv;
+    UvTransform transmission_uv;
+    vec4 transmission;  // x: share of a dielectric's light that goes through; yzw: padding
 };
 SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(rambla::render::shared::Material) == 336);
+static_assert(sizeof(rambla::render::shared::Material) == 384);
 #endif
 #endif

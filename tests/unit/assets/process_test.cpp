@@ -82,6 +82,8 @@ TEST(ProcessTextures, FormatsFollowTheChannelsThatAreRead) {
     scene.materials.resize(4);
     scene.materials[0].metalness_roughness_texture = slot(1);
     scene.materials[1].transmission_texture = slot(2);
+    scene.materials[1].transmission = 1.0f;
+    scene.materials[1].metalness = 0.0f;
     scene.materials[1].occlusion_texture = slot(0);
     scene.materials[2].emissive_texture = slot(3);
     scene.materials[2].base_colour_texture = slot(4);
@@ -102,6 +104,9 @@ TEST(ProcessTextures, FormatsFollowTheChannelsThatAreRead) {
     EXPECT_EQ(shown(out, out.materials[1].transmission_texture).format, TexelFormat::bc4);
     EXPECT_EQ(shown(out, out.materials[1].occlusion_texture).format, TexelFormat::bc1)
         << "one channel, but sRGB, which bc4 cannot be";
+    scene.materials[1].metalness = 1.0f;
+    EXPECT_EQ(process(scene, {}).materials[1].transmission_texture.texture, k_none)
+        << "metals let nothing through";
     EXPECT_EQ(shown(out, out.materials[2].emissive_texture).format, TexelFormat::rgba32f);
     EXPECT_EQ(shown(out, out.materials[2].base_colour_texture).format, TexelFormat::rgba8);
     const TextureData& normals = shown(out, out.materials[3].normal_texture);
