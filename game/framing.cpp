@@ -82,7 +82,8 @@ Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box, const systems
             .pitch_rad = std::asin(std::clamp(-ahead.y, -1.0f, 1.0f))};
 }
 
-ViewingLight viewing_light(const assets::Scene& scene, assets::TimeOfDay time) {
+ViewingLight viewing_light(const assets::Scene& scene, std::optional<assets::TimeOfDay> time) {
+    if (time) return {assets::daylight(*time), assets::daylight_exposure_ev(*time)};
     assets::Environment light = assets::noon();
     bool lit = false;
     bool sunlit = false;
@@ -91,18 +92,20 @@ ViewingLight viewing_light(const assets::Scene& scene, assets::TimeOfDay time) {
         if (index == assets::k_none) continue;
         lit = true;
         const assets::Light& own = scene.lights[index];
-        if (own.kind != assets::LightKind::directional || sunlit) continue;
+        const glm::vec3 to_sun{placed.scene_from_node[2]};
+        const bool has_direction = glm::length(to_sun) > 0.0f;
+        if (own.kind != assets::LightKind::directional || sunlit || !has_direction) continue;
         sunlit = true;
-        light.direction_to_sun = glm::normalize(glm::vec3{placed.scene_from_node[2]});
+        light.direction_to_sun = glm::normalize(to_sun);
         light.sun_illuminance = own.colour * own.intensity;
     }
-    if (!lit) return {assets::daylight(time), assets::daylight_exposure_ev(time), false};
+    if (!lit) return {light, 0.0f};
     if (!sunlit) light.sun_illuminance = glm::vec3{0.0f};
     constexpr float k_soft_sky = 0.15f;
     light.sky_zenith_radiance *= k_soft_sky;
     light.sky_horizon_radiance *= k_soft_sky;
     light.ground_radiance *= k_soft_sky;
-    return {light, 0.0f, true};
+    return {light, 0.0f};
 }
 
 }  // namespace rambla::game

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "assets/bounds.h"
@@ -44,14 +45,13 @@ struct Orbit {
 [[nodiscard]] Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box,
                              const systems::WorldPosition& origin);
 
-/// Light for a viewed scene: its own directional light as the sun; no sun if it has other lights only; that
-/// of the time of day if none. With lights of its own, the sky is kept soft, so that shadows are not black
-/// and the file's light dominates.
+/// Light for a viewed scene, apart from its lamps: that of a time of day, if one is wished for, or if it has
+/// no lights. Else its own first directional light is the sun, and the sky is kept soft, so that shadows are
+/// not black and the file's light dominates.
 struct ViewingLight {
     assets::Environment environment;
     float exposure_ev = 0.0f;
-    bool own = false;  ///< the file brings lights; the time of day says nothing then
 };
-[[nodiscard]] ViewingLight viewing_light(const assets::Scene& scene, assets::TimeOfDay time);
+[[nodiscard]] ViewingLight viewing_light(const assets::Scene& scene, std::optional<assets::TimeOfDay> time);
 
 }  // namespace rambla::game

@@ -74,10 +74,6 @@ render::Settings settings_for(const ViewWishes& wishes, const systems::Eye& eye,
 ModelView view_model(const fs::path& file, const ViewWishes& wishes) {
     assets::Scene scene = assets::import_gltf(file);
     const ViewingLight light = viewing_light(scene, wishes.time);
-    if (light.own && wishes.time != assets::TimeOfDay{}) {
-        throw std::invalid_argument{
-            fmt::format("--time is {}, but {} brings its own light", to_text(wishes.time), file.string())};
-    }
     ModelView view;
     view.stage = make_stage(std::move(scene), light.environment, wishes.origin);
     Stage& stage = view.stage;

@@ -29,9 +29,9 @@ struct ViewWishes {
     glm::uvec2 size_px{960, 540};
     systems::WorldPosition origin;
     render::Settings settings;
-    bool own_exposure = false;  ///< settings say it; else as the light wants it
-    assets::TimeOfDay time;     ///< of the light of a file that brings none
-    bool own_shadows = false;   ///< settings say how far shadows reach; else as far as the model does
+    bool own_exposure = false;              ///< settings say it; else as the light wants it
+    std::optional<assets::TimeOfDay> time;  ///< whose sun and sky replace the file's
+    bool own_shadows = false;  ///< settings say how far shadows reach; else as far as the model does
 };
 
 /// A file on stage, and the first look at it.

@@ -107,17 +107,18 @@ void add_scene_options(CLI::App& command, Options& options) {
 }
 
 void add_time_option(CLI::App& command, Options& options) {
-    command
-        .add_option_function<std::string>(
-            "--time",
-            [&options](const std::string& text) {
-                options.time = usage_checked("--time", [&] { return parse_time(text); });
-            },
-            fmt::format(
-                "Time of day, in solar time of a day in early June: dusk is {}, night {}, and 12:00 has the "
-                "sun where it stands then, noon (the default) where it draws good shadows",
-                to_text(assets::k_dusk), to_text(assets::k_night)))
-        ->type_name("noon|dusk|night|HH:MM");
+    options.time_given =
+        command
+            .add_option_function<std::string>(
+                "--time",
+                [&options](const std::string& text) {
+                    options.time = usage_checked("--time", [&] { return parse_time(text); });
+                },
+                fmt::format("Time of day, in solar time of a day in early June: dusk is {}, night {}, and "
+                            "12:00 has the "
+                            "sun where it stands then, noon (the default) where it draws good shadows",
+                            to_text(assets::k_dusk), to_text(assets::k_night)))
+            ->type_name("noon|dusk|night|HH:MM");
 }
 
 void add_place_options(CLI::App& command, Options& options) {

@@ -29,6 +29,7 @@ struct Options {
     std::filesystem::path trace;  ///< empty: none
     bool quiet = false;
     render::Settings settings;
+    const CLI::Option* time_given = nullptr;      ///< --time, where the command has it
     const CLI::Option* exposure_given = nullptr;  ///< --exposure, where the command has it
 
     /// The settings, at the exposure that the light wants unless the user has said another.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assets/export/gltf.h"
+#include "assets/export/sun.h"
 #include "assets/generate/places.h"
 #include "game/commands/command.h"
 #include "game/exit_code.h"
@@ -22,8 +23,9 @@ struct GenerateCommand {
 
 int run(const GenerateCommand& command) {
     prepare_json(command.options.json);
-    const assets::Place place =
+    assets::Place place =
         assets::generate_place(command.options.scene, command.options.seed, command.options.time);
+    assets::add_sun(place.scene, place.environment);
     assets::export_gltf(command.out, place.scene);
     write_json(command.options.json, {{"schema", "rambla.generate/1"},
                                       {"scene", command.options.scene},

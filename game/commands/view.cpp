@@ -3,6 +3,7 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -64,7 +65,9 @@ int draw_sheet(const ViewCommand& command) {
     write_json(command.options.json,
                {{"schema", "rambla.view_sheet/1"}, {"out", command.out.string()}, {"files", rows}});
     spdlog::info("Wrote {}", command.out.string());
-    return k_done;
+    const bool all_refused = std::all_of(rows.begin(), rows.end(),
+                                         [](const nlohmann::json& row) { return row.contains("error"); });
+    return all_refused ? k_bad_input : k_done;
 }
 
 int show_window(const ViewCommand& command, RunTrace* trace) {
@@ -126,7 +129,7 @@ int run(ViewCommand& command) {
     command.wishes.settings = command.options.settings;
     command.wishes.own_shadows = command.shadows->count() > 0;
     command.wishes.own_exposure = command.options.exposure_given->count() > 0;
-    command.wishes.time = command.options.time;
+    if (command.options.time_given->count() > 0) command.wishes.time = command.options.time;
     if (!windowed) command.out = picture_file(command);
     const std::unique_ptr<RunTrace> trace = begin_trace(command.options.trace);
     const int exit_code = windowed ? show_window(command, trace.get())
@@ -145,7 +148,8 @@ Command add_view(CLI::App& program) {
     line->footer(
         "Looks through the file's first camera, or shows everything if it has none. The light is the file's "
         "own with a\n"
-        "soft sky; a file without lights stands in the noon sun, or in the light of --time.\n"
+        "soft sky; a file without lights stands in the noon sun. --time replaces sun and sky, whatever the "
+        "file has.\n"
         "Opens a window where there is a display, unless --headless or --out is given. In the window the "
         "left button\n"
         "turns around the model, the wheel comes nearer; F1 shows the keys. The first clip plays there, or "
@@ -155,7 +159,7 @@ Command add_view(CLI::App& program) {
         "its clips say.\n"
         "Several files become one picture, a cell of --size (default 320x240) for each; what cannot be shown "
         "there gets a\n"
-        "cell with the reason.\n");
+        "cell with the reason; if nothing can be shown, the exit code is 2.\n");
     line->add_option("files", command->files, "File to show; several: a contact sheet of them")
         ->type_name("FILE.glb|FILE.gltf")
         ->required();

@@ -92,6 +92,9 @@ TEST_F(InspectCommand, SeveralFilesAreATableThatHasTheRefusedToo) {
     EXPECT_THAT(csv, HasSubstr("file,result,meshes,triangles,skins,clips,"));
     EXPECT_THAT(csv, HasSubstr("\nleaf.gltf,warn,1,1,0,0,1,1,0,0,0,"));
     EXPECT_THAT(csv, HasSubstr("\n\"cut, short.gltf\",refuse,,,,,,,,,,,\""));
+    EXPECT_EQ(rambla({"inspect", "cut, short.gltf", "nowhere.glb"}, folder).exit_code, 2);
+    EXPECT_EQ(rambla({"view", "cut, short.gltf", "nowhere.glb", "--out", "sheet.png"}, folder).exit_code, 2);
+    EXPECT_EQ(rambla({"view", "leaf.gltf", "nowhere.glb", "--out", "sheet.png"}, folder).exit_code, 0);
 }
 
 TEST_F(InspectCommand, ABadFileIsOneLineAndExitCodeTwo) {
@@ -104,7 +107,9 @@ TEST_F(InspectCommand, ABadFileIsOneLineAndExitCodeTwo) {
         EXPECT_EQ(ended.exit_code, 2) << file << ": " << ended.err;
         EXPECT_EQ(line_count(ended.err), 1u) << ended.err;
         EXPECT_THAT(ended.err, HasSubstr(file));
-        EXPECT_EQ(ended.out, "");
+        const nlohmann::json result = nlohmann::json::parse(ended.out);
+        EXPECT_EQ(result["file"], file);
+        EXPECT_THAT(ended.err, HasSubstr(result["error"].get<std::string>()));
     }
 }
 

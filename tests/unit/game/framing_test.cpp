@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "game/stage.h"
+#include "systems/components.h"
 #include "systems/position.h"
 
 namespace rambla::game {
@@ -106,7 +108,6 @@ TEST(ViewingLight, AFileWithoutLightsStandsInTheLightOfTheTime) {
     const ViewingLight noon = viewing_light(scene, {});
     EXPECT_EQ(noon.environment.sun_illuminance, assets::noon().sun_illuminance);
     EXPECT_EQ(noon.exposure_ev, 0.0f);
-    EXPECT_FALSE(noon.own);
     const ViewingLight dusk = viewing_light(scene, assets::k_dusk);
     EXPECT_EQ(dusk.environment.sun_illuminance, glm::vec3{0.0f});
     EXPECT_EQ(dusk.environment.direction_to_sun, assets::daylight(assets::k_dusk).direction_to_sun);
@@ -117,7 +118,7 @@ TEST(ViewingLight, APointLightMeansNoSunAndADimSky) {
     assets::Scene scene = scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {});
     scene.lights.push_back({.name = "lamp", .kind = assets::LightKind::point});
     scene.nodes[add_turned_node(scene)].light = 0;
-    const assets::Environment light = viewing_light(scene, assets::k_dusk).environment;
+    const assets::Environment light = viewing_light(scene, {}).environment;
     EXPECT_EQ(light.sun_illuminance, glm::vec3{0.0f});
     EXPECT_LT(light.sky_zenith_radiance.z, 0.5f * assets::noon().sky_zenith_radiance.z);
 }
@@ -129,10 +130,30 @@ TEST(ViewingLight, ADirectionalLightIsTheSun) {
                             .colour = {1.0f, 0.5f, 0.25f},
                             .intensity = 4.0f});
     scene.nodes[add_turned_node(scene)].light = 0;
-    const assets::Environment light = viewing_light(scene, assets::k_dusk).environment;
+    const assets::Environment light = viewing_light(scene, {}).environment;
     EXPECT_EQ(light.sun_illuminance, (glm::vec3{4.0f, 2.0f, 1.0f}));
     // It shines along −X, so the sun stands at +X.
     EXPECT_LT(glm::distance(light.direction_to_sun, glm::vec3{1.0f, 0.0f, 0.0f}), 1e-5f);
+    // A node without extent has no direction: there, no sun.
+    scene.nodes.back().local.scale = glm::vec3{0.0f};
+    EXPECT_EQ(viewing_light(scene, {}).environment.sun_illuminance, glm::vec3{0.0f});
+}
+
+TEST(ViewingLight, AnAskedForTimeReplacesTheFilesSunAndSky) {
+    assets::Scene scene = scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {});
+    scene.lights.push_back({.name = "sun", .kind = assets::LightKind::directional, .intensity = 4.0f});
+    scene.nodes[add_turned_node(scene)].light = 0;
+    for (const assets::TimeOfDay time : {assets::TimeOfDay{}, assets::k_dusk, assets::TimeOfDay{360}}) {
+        const ViewingLight light = viewing_light(scene, time);
+        const assets::Environment expected = assets::daylight(time);
+        EXPECT_EQ(light.environment.sun_illuminance, expected.sun_illuminance);
+        EXPECT_EQ(light.environment.direction_to_sun, expected.direction_to_sun);
+        EXPECT_EQ(light.environment.sky_zenith_radiance, expected.sky_zenith_radiance);
+        EXPECT_EQ(light.exposure_ev, assets::daylight_exposure_ev(time));
+    }
+    // Also on stage, where spawning looks for a sun of its own.
+    const Stage stage = make_stage(scene, viewing_light(scene, assets::k_dusk).environment, {});
+    EXPECT_EQ(stage.world->resource<systems::Sunlight>().environment.sun_illuminance, glm::vec3{0.0f});
 }
 
 }  // namespace
