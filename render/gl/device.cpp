@@ -5,6 +5,7 @@
 
 #include "render/gl/context.h"
 #include "render/gl/egl_context.h"
+#include "render/shaders/shared/bindings.h"
 
 namespace rambla::render {
 
@@ -55,17 +56,25 @@ void choose_compression(DeviceInfo& info) {
     }
 }
 
+/// Storage blocks that light_tiles.comp.glsl has of its own.
+constexpr std::int64_t k_tile_lists = 6;
+
 struct RequiredLimit {
     const char* name;
     GLenum what;
     std::int64_t at_least;
 };
-// Storage blocks in vertex shaders hold the instances and materials; GL 4.5 itself promises none there.
+// Storage blocks in vertex shaders hold instances, materials, joints and the two of morphs; GL 4.5 itself
+// promises none there, eight in fragments and compute shaders, and eight binding points, of which the tiles'
+// lists need more.
 constexpr std::array k_limits{
     RequiredLimit{"GL_MAX_TEXTURE_SIZE", GL_MAX_TEXTURE_SIZE, 8192},
     RequiredLimit{"GL_MAX_COLOR_ATTACHMENTS", GL_MAX_COLOR_ATTACHMENTS, 8},
-    RequiredLimit{"GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS", GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 2},
+    RequiredLimit{"GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS", GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 5},
     RequiredLimit{"GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, 4},
+    RequiredLimit{"GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 7},
+    RequiredLimit{"GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS", GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS,
+                  BINDING_PASS_STORAGE + k_tile_lists},
     RequiredLimit{"GL_MAX_SHADER_STORAGE_BLOCK_SIZE", GL_MAX_SHADER_STORAGE_BLOCK_SIZE,
                   std::int64_t{1} << 24},
     RequiredLimit{"GL_MAX_TEXTURE_IMAGE_UNITS", GL_MAX_TEXTURE_IMAGE_UNITS, 16},

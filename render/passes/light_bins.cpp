@@ -54,6 +54,29 @@ shared::LightGrid make_grid(glm::uvec2 size_px, std::uint32_t tile_px, std::uint
         .slicing = {per_doubling, 1.0f - std::log2(k_first_slice_end_m) * per_doubling, 0.0f, 0.0f}};
 }
 
+std::uint64_t entries_of(std::span<const BoundedLight> lights, const shared::LightGrid& grid,
+                         glm::uvec2 size_px) {
+    std::uint64_t count = 0;
+    for (const BoundedLight& light : lights) {
+        const CellBox box = cells_of(light.bounds, grid, size_px);
+        const glm::uvec3 cells = box.last - box.first + 1u;
+        count += std::uint64_t{cells.x} * cells.y * cells.z;
+    }
+    return count;
+}
+
+/// The grid that is asked for, or one of larger cells, where its lists would be too long.
+shared::LightGrid affordable_grid(std::span<const BoundedLight> lights, glm::uvec2 size_px,
+                                  std::uint32_t tile_px, std::uint32_t slices) {
+    shared::LightGrid grid = make_grid(size_px, tile_px, slices);
+    while (grid.cells.x * grid.cells.y * grid.cells.z > 1u &&
+           entries_of(lights, grid, size_px) > k_most_light_entries) {
+        const bool deep = grid.cells.z > 1u;
+        grid = make_grid(size_px, deep ? grid.cells.w : 2u * grid.cells.w, deep ? grid.cells.z / 2u : 1u);
+    }
+    return grid;
+}
+
 template <class Visit>
 void for_each_cell(const CellBox& box, const shared::LightGrid& grid, Visit&& visit) {
     for (std::uint32_t y = box.first.y; y <= box.last.y; ++y) {
@@ -81,7 +104,7 @@ void bound_lights(const systems::FrameView& view, std::span<const systems::Frame
 
 const LightBins& LightBinner::bin(glm::uvec2 size_px, std::span<const BoundedLight> lights,
                                   std::uint32_t tile_px, std::uint32_t slices) {
-    bins_.grid = make_grid(size_px, tile_px, slices);
+    bins_.grid = affordable_grid(lights, size_px, tile_px, slices);
     const shared::LightGrid& grid = bins_.grid;
     bins_.ranges.assign(std::size_t{grid.cells.x} * grid.cells.y * grid.cells.z, glm::uvec2{0});
     for (const BoundedLight& light : lights) {

@@ -39,12 +39,16 @@ struct LightBins {
     std::vector<std::uint32_t> entries;  ///< rows of the Frame's lights, ascending in each cell
 };
 
+/// Lists that would hold more than this, in all, are made for larger cells instead: half as many slices, then
+/// tiles twice as wide. Down to a single cell, which holds each light once.
+inline constexpr std::uint64_t k_most_light_entries = 4u << 20;
+
 /// Sorts lights into cells. Keeps its memory.
 class LightBinner {
 public:
     /// No cell lacks a light that reaches one of its points.
-    /// @param tile_px  > 0
-    /// @param slices   > 0
+    /// @param tile_px  > 0; of the smallest tiles
+    /// @param slices   > 0; the most
     /// @return         valid until the next call
     [[nodiscard]] const LightBins& bin(glm::uvec2 size_px, std::span<const BoundedLight> lights,
                                        std::uint32_t tile_px, std::uint32_t slices);

@@ -122,6 +122,30 @@ TEST(LightBins, LightsThatAreNoNumbersReachNothingAndEndlessOnesEverything) {
     EXPECT_TRUE(std::ranges::all_of(bins.ranges, [](glm::uvec2 range) { return range.y == 1; }));
 }
 
+TEST(LightBins, TooManyLightsEverywhereGetLargerCells) {
+    const systems::FrameView view = view_of({1920, 1080});
+    for (const std::size_t count : {1000u, 4000u, 400'000u}) {
+        const std::vector<systems::FrameLight> lights(count, {.position_m = {0, 0, -5}, .radius_m = 1e4f});
+        std::vector<BoundedLight> bounded;
+        bound_lights(view, lights, bounded);
+        ASSERT_EQ(bounded.size(), count);
+        LightBinner binner;
+        const LightBins& bins = binner.bin(view.size_px, bounded, 32, 16);
+        EXPECT_LE(bins.entries.size(), k_most_light_entries);
+        EXPECT_GT(bins.entries.size(), k_most_light_entries / 8);  // no larger cells than need be
+        EXPECT_TRUE(std::ranges::all_of(bins.ranges, [&](glm::uvec2 range) { return range.y == count; }));
+        const shared::LightGrid& grid = bins.grid;
+        EXPECT_EQ(bins.ranges.size(), std::size_t{grid.cells.x} * grid.cells.y * grid.cells.z);
+        EXPECT_EQ(grid.cells.x, (view.size_px.x + grid.cells.w - 1) / grid.cells.w);
+    }
+    // What fits keeps the cells that are asked for.
+    std::vector<BoundedLight> bounded;
+    bound_lights(view, std::vector<systems::FrameLight>(100, {.position_m = {0, 0, -5}, .radius_m = 1e4f}),
+                 bounded);
+    LightBinner binner;
+    EXPECT_EQ(binner.bin(view.size_px, bounded, 32, 16).grid.cells, glm::uvec4(60, 34, 16, 32));
+}
+
 TEST(LightBins, WithoutLightsAllCellsAreEmpty) {
     LightBinner binner;
     const LightBins& bins = binner.bin({100, 100}, {}, 64, 16);
