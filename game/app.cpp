@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "assets/export/image.h"
+#include "game/entity_browser.h"
 #include "game/hud.h"
 #include "game/interface.h"
 #include "game/overlay.h"
@@ -50,7 +51,12 @@ public:
           window_{options.size_px, options.title, true},
           input_{window_.handle()},
           interface_{window_.handle()},
-          overlay_{settings_, options.overlay_part},
+          browser_{*stage.world},
+          overlay_{settings_,
+                   [this] {
+                       if (options_.overlay_part) options_.overlay_part();
+                       browser_.draw();
+                   }},
           shaders_{ShaderFolder::of_build()},
           thread_{{.window = window_.context(),
                    .shaders = shaders_.source(),
@@ -180,6 +186,7 @@ private:
     Window window_;
     Input input_;
     Interface interface_;
+    EntityBrowser browser_;
     Overlay overlay_;
     ShaderFolder shaders_;
     TimingsPanel timings_;
