@@ -93,13 +93,17 @@ std::string failed_element(const tinygltf::Model& model, const Preflight& claims
     return element_name("extensions.KHR_lights_punctual.lights", model.lights.size());
 }
 
-std::string first_line(const std::string& text) {
-    return text.substr(0, text.find('\n'));
+/// What tinygltf says, on one line: it quotes what files hold.
+std::string one_line(std::string text) {
+    while (!text.empty() && text.back() == '\n')
+        text.pop_back();
+    const std::string quoted = in_quotes(text);
+    return quoted.substr(1, quoted.size() - 2);
 }
 
 [[noreturn]] void fail_parsing(const Document& document, const Preflight& claims,
                                const std::string& message) {
-    const std::string reason = first_line(message);
+    const std::string reason = one_line(message);
     // tinygltf looks at the indices of primitives between meshes and nodes.
     if (reason.starts_with("primitive indices") || reason.starts_with("accessor["))
         document.fail("meshes", reason, "indices of accessors with a buffer view");

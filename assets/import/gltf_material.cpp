@@ -116,7 +116,7 @@ private:
             material_.ior = index == 0.0f ? 0.0f : std::max(index, 1.0f);
             if (index != 0.0f && index < 1.0f)
                 document_.warn(element_ + ".extensions.KHR_materials_ior.ior",
-                               std::to_string(index) + " is neither 0 nor at least 1, and becomes 1");
+                               number_text(index) + " is neither 0 nor at least 1, and becomes 1");
         }
         if (const tinygltf::Value* const specular = extension("KHR_materials_specular")) {
             material_.specular = unit_interval(number_of(*specular, "specularFactor", 1.0f));

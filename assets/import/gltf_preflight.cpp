@@ -69,8 +69,9 @@ public:
     Preflight found;
 
     /// @throws Error  for values that cannot be meant
+    void require_shape() const { shape_.require(); }
     Preflight take() {
-        shape_.require();
+        require_shape();
         found.warnings = shape_.take_warnings();
         return std::move(found);
     }
@@ -88,8 +89,9 @@ public:
         return value();
     }
     bool number_float(number_float_t number, const string_t& text) override {
-        shape_.number(number, text);
-        found.has_integral_floats = found.has_integral_floats || integral_float(text).has_value();
+        const bool is_whole = integral_float(text).has_value();
+        shape_.number(number, is_whole, text);
+        found.has_integral_floats = found.has_integral_floats || is_whole;
         if (in_buffer() && key_ == "byteLength" && number >= 0.0 && number < k_exact_integers)
             found.buffers.back().byte_length = static_cast<std::uint64_t>(number);
         return value();
@@ -211,6 +213,7 @@ Preflight preflight(const std::string& file, std::string_view json, const Import
                     "at most " + std::to_string(longest)};
     Walk walk{file, limits};
     nlohmann::json::sax_parse(json, &walk);
+    if (walk.found.version.empty()) walk.require_shape();
     check_version(file, walk.found);
     for (const std::string& name : walk.found.extensions_required)
         if (!supports_extension(name))

@@ -35,9 +35,9 @@ Camera import_camera(const Document& document, const tinygltf::Camera& source, c
     const std::string yfov = element + ".perspective.yfov";
     constexpr float k_widest_rad = 3.0f;
     if (!(camera.vertical_fov_rad > 0.0f))
-        document.fail(yfov, std::to_string(source.perspective.yfov), "between 0 and pi");
+        document.fail(yfov, number_text(source.perspective.yfov), "between 0 and pi");
     if (camera.vertical_fov_rad > k_widest_rad) {
-        document.warn(yfov, std::to_string(source.perspective.yfov) + " is too wide and became 3");
+        document.warn(yfov, number_text(source.perspective.yfov) + " is too wide and became 3");
         camera.vertical_fov_rad = k_widest_rad;
     }
     return camera;
@@ -62,8 +62,8 @@ Light import_light(const Document& document, const tinygltf::Light& source, cons
             std::clamp(finite_float(source.spot.outerConeAngle), 0.0f, glm::half_pi<float>());
         if (source.spot.innerConeAngle > source.spot.outerConeAngle)
             document.warn(element + ".spot.innerConeAngle",
-                          std::to_string(source.spot.innerConeAngle) + " is not below outerConeAngle, " +
-                              std::to_string(source.spot.outerConeAngle) + ", and is clamped");
+                          number_text(source.spot.innerConeAngle) + " is not below outerConeAngle, " +
+                              number_text(source.spot.outerConeAngle) + ", and is clamped");
         light.inner_cone_rad =
             std::clamp(finite_float(source.spot.innerConeAngle), 0.0f, light.outer_cone_rad);
     }

@@ -7,8 +7,8 @@ namespace rambla::assets::gltf {
 namespace {
 
 constexpr double k_largest_index = std::numeric_limits<std::int32_t>::max() - 1.0;
-constexpr double k_exact_integers = 9007199254740992.0;  // 2⁵³
-constexpr double k_largest_float = std::numeric_limits<float>::max();
+constexpr double k_largest_size = 9007199254740991.0;  // 2⁵³ − 1: doubles tell all of them apart
+constexpr double k_largest_float = 3.4028236e38;       // as printed, rounded up
 
 constexpr Shape whole(double least, double most) {
     return {.kind = JsonKind::whole, .least = least, .most = most};
@@ -27,9 +27,10 @@ constexpr Shape map_of(const Shape& each) {
 }
 
 constexpr Shape k_index = whole(0.0, k_largest_index);
-constexpr Shape k_size = whole(0.0, k_exact_integers);
+constexpr Shape k_size = whole(0.0, k_largest_size);
 constexpr Shape k_constant = whole(0.0, 65535.0);  // of OpenGL
 constexpr Shape k_number{.kind = JsonKind::number};
+constexpr Shape k_float = number(-k_largest_float, k_largest_float);
 constexpr Shape k_share = number(0.0, 1.0);
 constexpr Shape k_amount = number(0.0, k_largest_float);
 constexpr Shape k_boolean{.kind = JsonKind::boolean};
@@ -39,7 +40,7 @@ constexpr Shape k_indices = array_of(k_index);
 constexpr Shape k_numbers = array_of(k_number);
 constexpr Shape k_texts = array_of(k_text);
 constexpr Shape k_attributes = map_of(k_index);
-constexpr Shape k_pair = array_of(k_number, 2);
+constexpr Shape k_pair = array_of(k_float, 2);
 constexpr Shape k_colour = array_of(k_share, 3);
 constexpr Shape k_colour_alpha = array_of(k_share, 4);
 constexpr Shape k_amounts = array_of(k_amount, 3);
@@ -61,10 +62,10 @@ constexpr Shape k_view = object(k_view_members);
 constexpr Shape k_views = array_of(k_view);
 
 constexpr ShapeMember k_sparse_part_members[] = {
-    {"bufferView", &k_index}, {"byteOffset", &k_size}, {"componentType", &k_constant}};
+    {"bufferView", &k_index}, {"byteOffset", &k_index}, {"componentType", &k_constant}};
 constexpr Shape k_sparse_part = object(k_sparse_part_members);
 constexpr ShapeMember k_sparse_members[] = {
-    {"count", &k_size}, {"indices", &k_sparse_part}, {"values", &k_sparse_part}};
+    {"count", &k_index}, {"indices", &k_sparse_part}, {"values", &k_sparse_part}};
 constexpr Shape k_sparse = object(k_sparse_members);
 constexpr ShapeMember k_accessor_members[] = {
     {"bufferView", &k_index}, {"byteOffset", &k_size}, {"componentType", &k_constant},
@@ -87,13 +88,13 @@ constexpr Shape k_mesh = object(k_mesh_members);
 constexpr Shape k_meshes = array_of(k_mesh);
 
 constexpr ShapeMember k_texture_transform_members[] = {
-    {"offset", &k_pair}, {"scale", &k_pair}, {"rotation", &k_number}, {"texCoord", &k_index}};
+    {"offset", &k_pair}, {"scale", &k_pair}, {"rotation", &k_float}, {"texCoord", &k_index}};
 constexpr Shape k_texture_transform = object(k_texture_transform_members);
 constexpr ShapeMember k_texture_info_extension_members[] = {{"KHR_texture_transform", &k_texture_transform}};
 constexpr Shape k_texture_info_extensions = object(k_texture_info_extension_members);
 constexpr ShapeMember k_texture_info_members[] = {{"index", &k_index},
                                                   {"texCoord", &k_index},
-                                                  {"scale", &k_number},
+                                                  {"scale", &k_float},
                                                   {"strength", &k_share},
                                                   {"extensions", &k_texture_info_extensions}};
 constexpr Shape k_texture_info = object(k_texture_info_members);
@@ -146,7 +147,9 @@ constexpr ShapeMember k_sampler_members[] = {
 constexpr Shape k_sampler = object(k_sampler_members);
 constexpr Shape k_samplers = array_of(k_sampler);
 
-constexpr ShapeMember k_instancing_members[] = {{"attributes", &k_attributes}};
+// Some exporters leave the wrapper out.
+constexpr ShapeMember k_instancing_members[] = {
+    {"attributes", &k_attributes}, {"TRANSLATION", &k_index}, {"ROTATION", &k_index}, {"SCALE", &k_index}};
 constexpr Shape k_instancing = object(k_instancing_members);
 constexpr ShapeMember k_node_light_members[] = {{"light", &k_index}};
 constexpr Shape k_node_light = object(k_node_light_members);
@@ -196,7 +199,7 @@ constexpr ShapeMember k_camera_members[] = {
 constexpr Shape k_camera = object(k_camera_members);
 constexpr Shape k_cameras = array_of(k_camera);
 
-constexpr Shape k_cone = number(0.0, std::numbers::pi / 2.0);
+constexpr Shape k_cone = number(0.0, std::numbers::pi / 2.0 + 1e-6);  // floats may be rounded up
 constexpr ShapeMember k_spot_members[] = {{"innerConeAngle", &k_cone}, {"outerConeAngle", &k_cone}};
 constexpr Shape k_spot = object(k_spot_members);
 constexpr ShapeMember k_light_members[] = {{"type", &k_text},

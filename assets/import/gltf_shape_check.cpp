@@ -1,11 +1,11 @@
 #include "assets/import/gltf_shape_check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "assets/import/gltf_files.h"
+#include "assets/import/gltf_value.h"
 
 namespace rambla::assets::gltf {
 
@@ -13,12 +13,6 @@ namespace {
 
 /// A file may have millions of numbers that are out of range.
 constexpr std::size_t k_most_warnings = 8;
-
-std::string number_text(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
 
 std::string range_text(const Shape& shape) {
     return number_text(shape.least) + " to " + number_text(shape.most);
@@ -119,7 +113,7 @@ void ShapeCheck::text(std::string_view value) {
 }
 
 template <class Describe>
-void ShapeCheck::number(double value, bool is_whole, const Describe& describe) {
+void ShapeCheck::check_number(double value, bool is_whole, const Describe& describe) {
     if (failure_) return;
     const Shape* const shape = expected();
     if (shape != nullptr && shape->kind != JsonKind::anything) {
@@ -137,15 +131,15 @@ void ShapeCheck::number(double value, bool is_whole, const Describe& describe) {
 }
 
 void ShapeCheck::whole(std::int64_t value) {
-    number(static_cast<double>(value), true, [&] { return std::to_string(value); });
+    check_number(static_cast<double>(value), true, [&] { return std::to_string(value); });
 }
 
 void ShapeCheck::whole(std::uint64_t value) {
-    number(static_cast<double>(value), true, [&] { return std::to_string(value); });
+    check_number(static_cast<double>(value), true, [&] { return std::to_string(value); });
 }
 
-void ShapeCheck::number(double value, std::string_view written) {
-    number(value, value == std::floor(value), [&] { return shortened(written); });
+void ShapeCheck::number(double value, bool is_whole, std::string_view written) {
+    check_number(value, is_whole, [&] { return shortened(written); });
 }
 
 std::vector<Finding> ShapeCheck::take_warnings() {

@@ -38,8 +38,9 @@ public:
     void text(std::string_view value);
     void whole(std::int64_t value);
     void whole(std::uint64_t value);
-    /// @param written  as the file has it
-    void number(double value, std::string_view written);
+    /// @param is_whole  it is an integer as far as later readers are concerned
+    /// @param written   as the file has it
+    void number(double value, bool is_whole, std::string_view written);
 
     /// @throws Error  for the first value that is not what must stand there
     void require() const {
@@ -62,7 +63,7 @@ private:
     template <class Describe>
     void scalar(JsonKind kind, const Describe& describe);
     template <class Describe>
-    void number(double value, bool is_whole, const Describe& describe);
+    void check_number(double value, bool is_whole, const Describe& describe);
     [[nodiscard]] std::string element() const;
     /// What follows is looked at no more: other things that a reader finds may be said before.
     void fail(const Shape& shape, std::string_view found);

@@ -31,6 +31,32 @@ constexpr std::array<Use, 9> k_uses{{{&Material::base_colour_texture, ColourSpac
                                      {&Material::transmission_texture, ColourSpace::linear},
                                      {&Material::height_texture, ColourSpace::linear}}};
 
+/// Says what it is that the functions below do not know. tinygltf gives −1 for what is absent.
+void warn_of_unknown(const Document& document) {
+    const auto say = [&](std::size_t index, const char* member, int found, const char* used) {
+        document.warn(element_name("samplers", index, member),
+                      std::to_string(found) + " is unknown, " + used + " is used");
+    };
+    const auto is_wrap = [](int mode) {
+        return mode == TINYGLTF_TEXTURE_WRAP_REPEAT || mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE ||
+               mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT;
+    };
+    for (std::size_t i = 0; i < document.model.samplers.size(); ++i) {
+        const tinygltf::Sampler& sampler = document.model.samplers[i];
+        if (!is_wrap(sampler.wrapS)) say(i, ".wrapS", sampler.wrapS, "10497 (repeat)");
+        if (!is_wrap(sampler.wrapT)) say(i, ".wrapT", sampler.wrapT, "10497 (repeat)");
+        const bool plain = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+                           sampler.magFilter == TINYGLTF_TEXTURE_FILTER_LINEAR || sampler.magFilter == -1;
+        if (!plain) say(i, ".magFilter", sampler.magFilter, "9729 (linear)");
+        const int minify = sampler.minFilter;
+        const bool known = minify == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+                           minify == TINYGLTF_TEXTURE_FILTER_LINEAR || minify == -1 ||
+                           (minify >= TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST &&
+                            minify <= TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR);
+        if (!known) say(i, ".minFilter", minify, "9987 (linear between linear levels)");
+    }
+}
+
 WrapMode wrap_mode(int mode) {
     switch (mode) {
         case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
@@ -116,6 +142,7 @@ public:
     TextureImport(const Document& document, Scene& scene) : document_{document}, scene_{scene} {}
 
     std::vector<std::uint32_t> run() {
+        warn_of_unknown(document_);
         find_uses();
         for (std::size_t i = 0; i < document_.model.textures.size(); ++i)
             for (const ColourSpace space : {ColourSpace::srgb, ColourSpace::linear})

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "assets/import/gltf_value.h"
 #include "assets/process/tangents.h"
 
 namespace rambla::assets::gltf {
@@ -51,7 +52,8 @@ std::vector<float> numbers(const Document& document, const std::vector<double>& 
     for (const double value : source) {
         out.push_back(static_cast<float>(value));
         if (!std::isfinite(out.back()))
-            document.fail(element, std::to_string(value), "a number that a float holds");
+            document.fail(element_name(element, out.size() - 1), number_text(value),
+                          "a number that a float holds");
     }
     return out;
 }

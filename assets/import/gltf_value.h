@@ -3,11 +3,19 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <glm/glm.hpp>
 #include <limits>
 #include <string>
 
 namespace rambla::assets::gltf {
+
+/// Short, for messages: numbers of files may have hundreds of digits.
+[[nodiscard]] inline std::string number_text(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
 
 /// JSON numbers may exceed what a float holds; they are clamped to its range.
 [[nodiscard]] inline float finite_float(double value) {

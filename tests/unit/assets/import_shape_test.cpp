@@ -51,8 +51,9 @@ TEST(GltfShape, ReferencesAreNotCutTo32Bits) {
         {"\"scene\":0", "\"scene\":", "scene"},
         {"\"nodes\":[0]", "\"nodes\":[", "scenes[0].nodes[0]"}};
     for (const Row& row : k_rows)
-        for (const char* const value : {"4294967296", "1099511627776", "18446744073709551616", "-1",
-                                        "-4294967296", "0.5", "1e300", "\"0\"", "null", "true", "{}", "[]"}) {
+        for (const char* const value :
+             {"-0.0", "-0e0", "1e-400", "4294967296", "1099511627776", "18446744073709551616", "-1",
+              "-4294967296", "0.5", "1e300", "\"0\"", "null", "true", "{}", "[]"}) {
             const std::string closing = std::string{row.key}.ends_with('[') ? "]" : "";
             EXPECT_THAT(error_with(row.part, row.key + (value + closing)),
                         AllOf(HasSubstr(std::string{"a.glb: "} + row.element + ": "),
@@ -62,7 +63,8 @@ TEST(GltfShape, ReferencesAreNotCutTo32Bits) {
 }
 
 TEST(GltfShape, OffsetsAndLengthsAreWholeNumbers) {
-    for (const char* const value : {"-1", "\"0\"", "0.5", "9223372036854775808", "[0]"}) {
+    for (const char* const value :
+         {"-1", "\"0\"", "0.5", "-0.0", "9007199254740992.0", "9223372036854775808", "[0]"}) {
         const std::string text = value;
         EXPECT_THAT(error_with("\"byteOffset\":0", "\"byteOffset\":" + text),
                     HasSubstr("bufferViews[0].byteOffset: "))
@@ -75,6 +77,13 @@ TEST(GltfShape, OffsetsAndLengthsAreWholeNumbers) {
             HasSubstr("accessors[0].sparse.values.byteOffset: "))
             << value;
     }
+    // tinygltf keeps these in 32 bits.
+    for (const char* const member :
+         {"\"count\":4294967298", "\"count\":1,\"values\":{\"byteOffset\":4294967296}",
+          "\"count\":1,\"indices\":{\"byteOffset\":4294967296}"})
+        EXPECT_THAT(error_with("\"count\":3", std::string{"\"count\":3,\"sparse\":{"} + member + "}"),
+                    AllOf(HasSubstr("accessors[0].sparse."),
+                          HasSubstr("expected a whole number from 0 to 2147483646")));
     EXPECT_THAT(error_with("\"byteOffset\":0", "\"byteStride\":256,\"byteOffset\":0"),
                 HasSubstr("bufferViews[0].byteStride: 256, expected a whole number from 0 to 252"));
 }
@@ -107,7 +116,46 @@ TEST(GltfShape, WhatTheImporterDoesNotReadMayBeAnything) {
     EXPECT_EQ(error_with("\"mesh\":0", R"("mesh":0,"extras":[{"mesh":"x"}],"name":7)"), "");
 }
 
+TEST(GltfShape, InstancesWithoutTheWrapperAreLookedAtToo) {
+    EXPECT_THAT(
+        error_with("\"mesh\":0",
+                   R"("mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"TRANSLATION":4294967296}})"),
+        HasSubstr("nodes[0].extensions.EXT_mesh_gpu_instancing.TRANSLATION: 4294967296, expected a whole"));
+}
+
+TEST(GltfShape, TheVersionComesFirstWhereThereIsOne) {
+    EXPECT_THAT(error_with("\"2.0\"", "\"1.0\",\"x\":[]},\"nodes\":{},\"other\":{\"x\":0"),
+                HasSubstr("asset.version: \"1.0\""));
+    EXPECT_THAT(error_with("\"2.0\"", "2.0"), HasSubstr("asset.version: 2.0, expected a string"));
+    const ScratchFolder folder;
+    EXPECT_THAT(import_error(folder.write("a.gltf", "[1]")), HasSubstr("JSON: an array, expected an object"));
+    EXPECT_THAT(import_error(folder.write("a.gltf", "5")), HasSubstr("JSON: 5, expected an object"));
+}
+
+TEST(GltfShape, QuotedTextStaysOnOneLine) {
+    const std::string error = error_with("\"VEC3\"", "\"VE\\nC3\"");
+    EXPECT_THAT(error, HasSubstr("VE?C3"));
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+}
+
+TEST(GltfShape, SamplerConstantsThatDoNotExistAreNamed) {
+    const LogCapture log;
+    const ScratchFolder folder;
+    static_cast<void>(import_gltf(folder.write(
+        "a.glb", triangle_with("\"scene\":0",
+                               R"("samplers":[{"wrapS":7,"wrapT":9729,"magFilter":9987,"minFilter":33071},)"
+                               R"({"wrapS":33648,"wrapT":33071,"magFilter":9728,"minFilter":9984},{}])"))));
+    EXPECT_EQ(log.lines(), 4);
+    EXPECT_THAT(log.text(), HasSubstr("samplers[0].wrapS: 7 is unknown, 10497 (repeat) is used"));
+    EXPECT_THAT(log.text(), HasSubstr("samplers[0].wrapT: 9729 is unknown"));
+    EXPECT_THAT(log.text(), HasSubstr("samplers[0].magFilter: 9987 is unknown"));
+    EXPECT_THAT(log.text(), HasSubstr("samplers[0].minFilter: 33071 is unknown"));
+}
+
 TEST(GltfShape, LongNumbersAreShortened) {
+    EXPECT_LT(error_with("\"scale\":[1,1,1]", "\"scale\":[1,1e300,1]").size(), 200u);
+    EXPECT_THAT(error_with("\"scale\":[1,1,1]", "\"scale\":[1,1e300,1]"),
+                HasSubstr("nodes[0].scale[1]: 1e+300"));
     const std::string error = error_with("\"mesh\":0", "\"mesh\":1" + std::string(300, '0'));
     EXPECT_THAT(error, HasSubstr("nodes[0].mesh: 1000"));
     EXPECT_LT(error.size(), 200u);
@@ -129,7 +177,7 @@ TEST(GltfShape, NumbersOutOfRangeAreClampedWithAWarning) {
           element + "color[0]: -1 is not in 0 to 3.40282e+38 and is clamped",
           element + "spot.innerConeAngle: 7 is not in 0 to 1.5708 and is clamped",
           element + "spot.outerConeAngle: 9 is not in 0 to 1.5708 and is clamped",
-          std::string{"lights[1].spot.innerConeAngle: 1.000000 is not below outerConeAngle, 0.500000"},
+          std::string{"lights[1].spot.innerConeAngle: 1 is not below outerConeAngle, 0.5"},
           std::string{"materials[0].pbrMetallicRoughness.metallicFactor: 5 is not in 0 to 1 and is clamped"}})
         EXPECT_THAT(log.text(), HasSubstr(line));
     EXPECT_EQ(log.lines(), 7);
@@ -139,6 +187,17 @@ TEST(GltfShape, NumbersOutOfRangeAreClampedWithAWarning) {
     EXPECT_LE(scene.lights[0].inner_cone_rad, scene.lights[0].outer_cone_rad);
     EXPECT_EQ(scene.lights[1].inner_cone_rad, 0.5f);
     EXPECT_EQ(scene.materials[0].metalness, 1.0f);
+}
+
+TEST(GltfShape, TheLargestFloatsAreNotOutOfRange) {
+    const LogCapture log;
+    const ScratchFolder folder;
+    static_cast<void>(import_gltf(folder.write(
+        "a.glb",
+        triangle_with("\"scene\":0",
+                      R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","range":3.4028235e38,)"
+                      R"("spot":{"outerConeAngle":1.5707963705062866}}]}})"))));
+    EXPECT_EQ(log.text(), "");
 }
 
 TEST(GltfShape, ManyNumbersOutOfRangeAreCounted) {
