@@ -108,4 +108,12 @@ ViewingLight viewing_light(const assets::Scene& scene, std::optional<assets::Tim
     return {light, 0.0f};
 }
 
+void remove_suns(assets::Scene& scene) {
+    for (assets::Node& node : scene.nodes) {
+        const bool shines = node.light != assets::k_none;
+        if (shines && scene.lights[node.light].kind == assets::LightKind::directional)
+            node.light = assets::k_none;
+    }
+}
+
 }  // namespace rambla::game

@@ -54,4 +54,7 @@ struct ViewingLight {
 };
 [[nodiscard]] ViewingLight viewing_light(const assets::Scene& scene, std::optional<assets::TimeOfDay> time);
 
+/// Takes away all directional lights, which a time of day's own sun replaces.
+void remove_suns(assets::Scene& scene);
+
 }  // namespace rambla::game

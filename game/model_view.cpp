@@ -74,6 +74,7 @@ render::Settings settings_for(const ViewWishes& wishes, const systems::Eye& eye,
 ModelView view_model(const fs::path& file, const ViewWishes& wishes) {
     assets::Scene scene = assets::import_gltf(file);
     const ViewingLight light = viewing_light(scene, wishes.time);
+    if (wishes.time) remove_suns(scene);
     ModelView view;
     view.stage = make_stage(std::move(scene), light.environment, wishes.origin);
     Stage& stage = view.stage;

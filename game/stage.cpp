@@ -39,8 +39,8 @@ Stage make_stage(assets::Scene scene, const assets::Environment& light,
                  const systems::WorldPosition& origin) {
     Stage stage;
     stage.world = std::make_unique<ecs::World>();
-    take(stage, systems::spawn(*stage.world, scene, origin));
     stage.world->set_resource(systems::Sunlight{light});
+    take(stage, systems::spawn(*stage.world, scene, origin));
     stage.scene = std::make_shared<const assets::Scene>(std::move(scene));
     stage.origin = origin;
     return stage;

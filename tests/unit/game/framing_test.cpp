@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ecs/query.h"
 #include "game/stage.h"
 #include "systems/components.h"
 #include "systems/position.h"
@@ -151,9 +152,16 @@ TEST(ViewingLight, AnAskedForTimeReplacesTheFilesSunAndSky) {
         EXPECT_EQ(light.environment.sky_zenith_radiance, expected.sky_zenith_radiance);
         EXPECT_EQ(light.exposure_ev, assets::daylight_exposure_ev(time));
     }
-    // Also on stage, where spawning looks for a sun of its own.
+    // Also on stage, where the first directional light becomes the sun, and others shine beside it.
+    scene.lights.push_back({.name = "second", .kind = assets::LightKind::directional});
+    scene.nodes[add_turned_node(scene)].light = 1;
+    scene.lights.push_back({.name = "lamp", .kind = assets::LightKind::point});
+    scene.nodes[add_turned_node(scene)].light = 2;
+    remove_suns(scene);
     const Stage stage = make_stage(scene, viewing_light(scene, assets::k_dusk).environment, {});
     EXPECT_EQ(stage.world->resource<systems::Sunlight>().environment.sun_illuminance, glm::vec3{0.0f});
+    EXPECT_EQ((ecs::Query<const systems::DirectionalLight>{}.count(*stage.world)), 0u);
+    EXPECT_EQ((ecs::Query<const systems::LocalLight>{}.count(*stage.world)), 1u);
 }
 
 }  // namespace
