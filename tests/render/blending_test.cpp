@@ -104,7 +104,7 @@ protected:
     glm::vec3 through(const assets::Material& material) {
         stage.things.resize(1);
         stage.place(square, stage.material(material), glm::translate(glm::mat4{1.0f}, {0, 0, 1}));
-        return stage.draw().radiance(64, 64);
+        return stage.draw().radiance(68, 64);  // right of the middle
     }
 
     /// A texture of one colour; channels that glTF's slots name.
@@ -185,6 +185,33 @@ TEST_F(Transmission, ClearGlassKeepsItsHighlights) {
     pane.transmission = 0.0f;
     EXPECT_NEAR(clear, through(pane).x, 2e-3f * clear);
     EXPECT_GT(clear, 0.01f);
+}
+
+TEST_F(Transmission, WhatGoesThroughIsNotScattered) {
+    stage.frame.environment.direction_to_sun = glm::normalize(glm::vec3{1, 0, 1});
+    stage.frame.environment.sun_illuminance = glm::vec3{3.0f};
+    pane.base_colour = {1, 1, 1, 1};
+    pane.roughness = 0.3f;
+    const float through_all = through(pane).x;
+    pane.transmission = 0.0f;
+    const float scattered = through(pane).x;
+    pane.transmission = 0.5f;
+    EXPECT_NEAR(through_all, k_enters, k_fit);
+    EXPECT_NEAR(scattered, 0.6752f, 0.04f);  // 3 cos 45 degrees / pi, less what Fresnel takes
+    EXPECT_NEAR(through(pane).x, 0.5f * (through_all + scattered), 2e-3f);
+}
+
+TEST_F(Transmission, ItsTextureHasCoordinatesOfItsOwn) {
+    assets::Image image{.name = "two", .width = 2, .height = 1, .texels = std::vector<std::byte>(8)};
+    image.texels[0] = std::byte{255};  // lets through on the left
+    stage.scene.images.push_back(image);
+    stage.scene.textures.push_back({.name = "two",
+                                    .image = static_cast<std::uint32_t>(stage.scene.images.size() - 1),
+                                    .sampler = {.magnify = assets::Filter::nearest}});
+    pane.transmission_texture.texture = static_cast<std::uint32_t>(stage.scene.textures.size() - 1);
+    EXPECT_EQ(through(pane).z, 0.0f);
+    pane.transmission_texture.offset.x = 0.5f;
+    EXPECT_NEAR(through(pane).z, k_enters, k_fit);
 }
 
 }  // namespace

@@ -217,8 +217,11 @@ TEST(Relief, EvenDepthLooksLikeASquareThatLiesDeeper) {
 
 // A step down from one half to the other, against the same in geometry: seen across it, what is near its foot
 // is hidden.
-TEST(Relief, AStepHidesWhatLiesBehindIt) {
+/// @param scale_and_offset  of the coordinates of the heights, whose middle stays where it is
+void expect_a_step(glm::vec2 scale_and_offset) {
     Striped striped{false, {{255, 255, 255, 255}, {0, 0, 0, 255}}};
+    striped.material.height_texture.scale.x = scale_and_offset.x;
+    striped.material.height_texture.offset.x = scale_and_offset.y;
     striped.place();
     Stage& stage = striped.stage;
     for (const float side : {-1.5f, 1.5f}) {
@@ -244,6 +247,76 @@ TEST(Relief, AStepHidesWhatLiesBehindIt) {
         EXPECT_GT(seen, 300);
         EXPECT_EQ(hidden > 50, side > 0.0f) << "the wall is seen from the deep side only: " << hidden;
     }
+}
+
+TEST(Relief, AStepHidesWhatLiesBehindIt) {
+    expect_a_step({1.0f, 0.0f});
+}
+
+TEST(Relief, ShiftsFollowTheTransformOfTheHeights) {
+    expect_a_step({0.5f, 0.25f});
+    expect_a_step({0.8f, 0.1f});
+}
+
+TEST(Relief, ShiftsFollowTheTransformOfWhatIsSampled) {
+    Striped striped{false, {{0, 0, 0, 255}}};
+    striped.material.base_colour_texture.scale.x = 0.5f;
+    striped.material.base_colour_texture.offset.x = 0.25f;
+    striped.place();
+    Stage& stage = striped.stage;
+    stage.look({2, 1, 2}, {0, 0, 0});
+    const Picture picture = stage.draw();
+    for (std::uint32_t x = 4; x < 128; x += 5) {
+        const Ray ray = ray_through(stage, x, 64);
+        if (std::abs(ray.at.x) > 0.55) continue;
+        const glm::dvec3 deep = ray.at + ray.direction * (2.0 * k_depth / -ray.direction.z);
+        EXPECT_NEAR(Striped::stripe(picture, x, 64) + 0.5, k_stripes * (0.25 + 0.5 * coordinate(deep, false)),
+                    0.51)
+            << x;
+    }
+}
+
+TEST(Relief, OtherCoordinatesStayWhereTheyAre) {
+    Striped striped{false, {{0, 0, 0, 255}}};
+    striped.material.base_colour_texture.uv_set = 1;
+    striped.place();
+    Stage& stage = striped.stage;
+    stage.scene.meshes[0].uv1 = stage.scene.meshes[0].uv0;
+    stage.look({1.5f, 0, 2.0f}, {0, 0, 0});
+    const Picture relief = stage.draw();
+    stage.settings.detail.grade = DetailGrade::normal;
+    EXPECT_EQ(relief.bytes, stage.draw().bytes);
+}
+
+TEST(Relief, MirroredCoordinatesShowTheSame) {
+    const std::vector<glm::u8vec4> heights{{0, 0, 0, 255}};
+    Striped striped{true, heights};
+    striped.place();
+    striped.stage.look({0.5f, 1.5f, 1.5f}, {0, 0, 0});
+    const Picture expected = striped.stage.draw();
+    // v upwards with the stripes turned round, and the bitangent against v again.
+    Striped mirrored{true, heights};
+    mirrored.material.base_colour_texture.scale.y = -1.0f;
+    mirrored.material.base_colour_texture.offset.y = 1.0f;
+    mirrored.place();
+    assets::Mesh& mesh = mirrored.stage.scene.meshes[0];
+    for (glm::vec2& uv : mesh.uv0)
+        uv.y = 1.0f - uv.y;
+    mesh.tangents.assign(4, glm::vec4{1, 0, 0, -1});
+    mirrored.stage.look({0.5f, 1.5f, 1.5f}, {0, 0, 0});
+    const Picture found = mirrored.stage.draw();
+    int differ = 0;
+    int seen = 0;
+    for (std::uint32_t y = 0; y < 128; ++y) {
+        for (std::uint32_t x = 0; x < 128; ++x) {
+            const Ray ray = ray_through(striped.stage, x, y);
+            if (std::abs(ray.at.x) > 0.55 || std::abs(ray.at.y) > 0.55) continue;
+            ++seen;
+            differ += Striped::stripe(expected, x, y) != Striped::stripe(found, x, y);
+        }
+    }
+    EXPECT_GT(seen, 1000);
+    EXPECT_LT(differ, seen / 100);  // rounding at the rims of stripes
 }
 
 TEST(Relief, NothingShiftsFromBehindOrWithoutTangents) {
