@@ -1,4 +1,5 @@
-// Times of the renderer's passes, by lighting path, size of the picture and number of lights.
+// Times of the renderer's passes, by lighting path, size of the picture and number of lights, or by grade of
+// surface detail.
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include <thread>
 
 #include "bench/harness/machine.h"
+#include "bench/render/detail.h"
 #include "bench/render/measure.h"
 #include "bench/render/table.h"
 #include "game/scene_cache.h"
@@ -23,6 +25,7 @@ struct Options {
     std::vector<std::uint32_t> lights{1, 16, 64, 256, 1024};
     std::uint32_t rounds = 5;
     bool quick = false;
+    bool detail = false;
     std::string json;
 };
 
@@ -54,25 +57,16 @@ std::ofstream opened(const std::string& path) {
     return file;
 }
 
-void write_json(std::ofstream& file, const std::vector<bench::Setting>& settings,
-                const bench::Machine& machine) {
-    nlohmann::json json{{"schema", "rambla.bench.render/1"}, {"settings", nlohmann::json::array()}};
+void write_json(std::ofstream& file, const nlohmann::json& settings, const bench::Machine& machine) {
+    nlohmann::json json{{"schema", "rambla.bench.render/1"}, {"settings", settings}};
     for (const auto& [name, value] : machine)
         json["machine"][name] = value;
-    for (const bench::Setting& setting : settings)
-        json["settings"].push_back(bench::to_json(setting));
     file << json.dump(1) << '\n';
     file.close();
     if (!file) throw std::runtime_error{"the results cannot be written"};
 }
 
-int run(const Options& options) {
-    std::ofstream file = opened(options.json);
-    const bench::Machine machine = bench::this_machine(static_cast<int>(std::thread::hardware_concurrency()));
-    render::RenderThread thread{
-        {.window = {}, .shaders = {}, .gl_errors_throw = false, .compile_ahead = false, .compile_for = {}}};
-    std::fputs(bench::to_text(machine).c_str(), stdout);
-    std::fputs(fmt::format("\nrenderer          {}\n\n", thread.device().renderer).c_str(), stdout);
+nlohmann::json measure_lights(const Options& options, render::RenderThread& thread) {
     std::vector<bench::Setting> measured;
     for (const std::string& size : options.sizes) {
         for (const std::uint32_t lights : options.lights) {
@@ -85,6 +79,34 @@ int run(const Options& options) {
         }
     }
     std::fputs(bench::verdict(measured).c_str(), stdout);
+    nlohmann::json json = nlohmann::json::array();
+    for (const bench::Setting& setting : measured)
+        json.push_back(bench::to_json(setting));
+    return json;
+}
+
+nlohmann::json measure_detail(const Options& options, render::RenderThread& thread) {
+    nlohmann::json json = nlohmann::json::array();
+    for (const std::string& text : options.sizes) {
+        const glm::uvec2 size_px = game::parse_size(text);
+        const std::vector<bench::DetailCost> costs = bench::measure_detail(thread, size_px, options.rounds);
+        std::fputs((bench::to_text(costs, size_px) + "\n").c_str(), stdout);
+        std::fflush(stdout);
+        for (const bench::DetailCost& cost : costs)
+            json.push_back(bench::to_json(cost, size_px));
+    }
+    return json;
+}
+
+int run(const Options& options) {
+    std::ofstream file = opened(options.json);
+    const bench::Machine machine = bench::this_machine(static_cast<int>(std::thread::hardware_concurrency()));
+    render::RenderThread thread{
+        {.window = {}, .shaders = {}, .gl_errors_throw = false, .compile_ahead = false, .compile_for = {}}};
+    std::fputs(bench::to_text(machine).c_str(), stdout);
+    std::fputs(fmt::format("\nrenderer          {}\n\n", thread.device().renderer).c_str(), stdout);
+    const nlohmann::json measured =
+        options.detail ? measure_detail(options, thread) : measure_lights(options, thread);
     if (!options.json.empty()) write_json(file, measured, machine);
     return 0;
 }
@@ -93,7 +115,10 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     Options options;
-    CLI::App app{"Milliseconds per pass of the scene `blocks`, for each lighting path."};
+    CLI::App app{
+        "Milliseconds per pass of the scene `blocks`, for each lighting path, or of the street, for each "
+        "grade "
+        "of surface detail."};
     app.add_option("--size", options.sizes, "Sizes of the picture.")->delimiter(',')->capture_default_str();
     app.add_option("--lights", options.lights, "Numbers of point lights.")
         ->delimiter(',')
@@ -102,6 +127,10 @@ int main(int argc, char** argv) {
     app.add_option("--rounds", options.rounds, "Pictures that are measured each way.")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    app.add_flag("--detail", options.detail,
+                 "Grades of surface detail in the street instead: their cost, and how far their pictures are "
+                 "from those of the finest.")
+        ->excludes("--lights");
     app.add_flag("--quick", options.quick,
                  "Three rounds of 480x270 and 1280x720, where nothing else is asked for.");
     app.add_option("--json", options.json, "Writes all values to this file, too.");

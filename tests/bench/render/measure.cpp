@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "game/compare.h"
 #include "systems/pipeline.h"
@@ -50,20 +51,21 @@ void note(WayCost& cost, const systems::Feedback& feedback, std::size_t round) {
     cost.cpu.push_back(cpu);
 }
 
-systems::Feedback draw(game::Stage& stage, render::RenderThread& thread, const render::Settings& settings,
-                       const systems::Eye& eye) {
+}  // namespace
+
+render::FrameOutput draw(game::Stage& stage, render::RenderThread& thread, const render::Settings& settings,
+                         const systems::Eye& eye, bool captured) {
     render::FrameInput& input = thread.begin();
     systems::build_frame(*stage.world, eye, 1.0f, input.frame);
+    input.frame.capture = {.display = captured, .linear = false};
     input.settings = settings;
     input.settings.tone.exposure_ev = stage.exposure_ev;
     input.timers = render::PassTimers::alone;
     input.complete_textures = true;
     thread.submit();
     thread.finish();
-    return thread.collect().back().feedback;
+    return std::move(thread.collect().back());
 }
-
-}  // namespace
 
 std::vector<Way> ways(std::uint32_t lights) {
     std::vector<Way> all;
@@ -86,12 +88,12 @@ std::vector<WayCost> measure(game::Stage& stage, render::RenderThread& thread, c
     std::vector<WayCost> costs;
     for (const Way& way : ways) {
         costs.emplace_back().name = way.name;
-        static_cast<void>(draw(stage, thread, way.settings, eye_of(stage, view, 0.0, size_px)));
+        static_cast<void>(draw(stage, thread, way.settings, eye_of(stage, view, 0.0, size_px), false));
     }
     for (std::uint32_t round = 0; round < rounds; ++round) {
         const systems::Eye eye = eye_of(stage, view, static_cast<double>(round) / rounds, size_px);
         for (std::size_t i = 0; i < ways.size(); ++i)
-            note(costs[i], draw(stage, thread, ways[i].settings, eye), round);
+            note(costs[i], draw(stage, thread, ways[i].settings, eye, false).feedback, round);
     }
     for (WayCost& cost : costs) {
         for (auto& [name, ms] : cost.passes)

@@ -32,6 +32,11 @@ struct WayCost {
 /// own, are left out beyond 256.
 [[nodiscard]] std::vector<Way> ways(std::uint32_t lights);
 
+/// Draws one picture with each pass timed alone.
+[[nodiscard]] render::FrameOutput draw(game::Stage& stage, render::RenderThread& thread,
+                                       const render::Settings& settings, const systems::Eye& eye,
+                                       bool captured);
+
 /// Draws a picture each way, round after round, and each round another picture of the view; one round before
 /// them does not count.
 [[nodiscard]] std::vector<WayCost> measure(game::Stage& stage, render::RenderThread& thread,
