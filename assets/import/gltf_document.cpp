@@ -93,17 +93,19 @@ std::string failed_element(const tinygltf::Model& model, const Preflight& claims
     return element_name("extensions.KHR_lights_punctual.lights", model.lights.size());
 }
 
-/// What tinygltf says, on one line: it quotes what files hold.
-std::string one_line(std::string text) {
-    while (!text.empty() && text.back() == '\n')
-        text.pop_back();
-    const std::string quoted = in_quotes(text);
-    return quoted.substr(1, quoted.size() - 2);
+/// The first thing that tinygltf says, on one line: what it quotes out of files may have several.
+std::string first_line(const std::string& text) {
+    std::size_t end = 0;
+    bool quoted = false;
+    while (end < text.size() && (quoted || text[end] != '\n'))
+        quoted = quoted != (text[end++] == '"');
+    const std::string line = in_quotes(std::string_view{text}.substr(0, end));
+    return line.substr(1, line.size() - 2);
 }
 
 [[noreturn]] void fail_parsing(const Document& document, const Preflight& claims,
                                const std::string& message) {
-    const std::string reason = one_line(message);
+    const std::string reason = first_line(message);
     // tinygltf looks at the indices of primitives between meshes and nodes.
     if (reason.starts_with("primitive indices") || reason.starts_with("accessor["))
         document.fail("meshes", reason, "indices of accessors with a buffer view");
