@@ -148,9 +148,19 @@ private:
                                                              " textures: heights are left out");
             return;
         }
-        material_.height_texture = slot(info, "extras." + name);
-        material_.height_depth =
-            std::clamp(number_of(source_.extras.Get(name), "depth", 0.0f), 0.0f, k_max_height_depth);
+        const TextureSlot heights = slot(info, "extras." + name);
+        if (material_.normal_texture.texture != k_none && material_.normal_texture.uv_set != heights.uv_set) {
+            document_.warn(element_ + ".extras." + name,
+                           "its coordinates are not those of the normal texture: heights are left out");
+            return;
+        }
+        material_.height_texture = heights;
+        const float depth = number_of(source_.extras.Get(name), "depth", -1.0f);
+        material_.height_depth = std::clamp(depth, 0.0f, k_max_height_depth);
+        if (depth != material_.height_depth)
+            document_.warn(element_ + ".extras." + name + ".depth",
+                           "is no number from 0 to " + number_text(k_max_height_depth) + ", " +
+                               number_text(material_.height_depth) + " is used");
     }
 
     const Document& document_;

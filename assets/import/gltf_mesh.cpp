@@ -24,15 +24,17 @@ namespace {
 /// for.
 using GeometryKey = std::vector<int>;
 
-/// Tangents are worth their memory only where a normal texture needs them, their time only where the file has
-/// none.
+/// Tangents are worth their memory only where normals or heights of a texture need them, their time only
+/// where the file has none.
 int tangent_uv_set(const tinygltf::Primitive& primitive, const Scene& scene) {
     if (attribute(primitive.attributes, "TANGENT") >= 0 && attribute(primitive.attributes, "NORMAL") >= 0)
         return k_no_tangents;
     if (primitive.material < 0 || static_cast<std::size_t>(primitive.material) >= scene.materials.size())
         return k_no_tangents;
-    const TextureSlot& slot = scene.materials[static_cast<std::size_t>(primitive.material)].normal_texture;
-    return slot.texture == k_none ? k_no_tangents : static_cast<int>(slot.uv_set);
+    const Material& material = scene.materials[static_cast<std::size_t>(primitive.material)];
+    for (const TextureSlot& slot : {material.normal_texture, material.height_texture})
+        if (slot.texture != k_none) return static_cast<int>(slot.uv_set);
+    return k_no_tangents;
 }
 
 /// Only what is read counts: exporters repeat geometry with attributes of their own.

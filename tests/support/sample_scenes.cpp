@@ -104,7 +104,7 @@ Scene standing_scene() {
         .texture = 0, .uv_set = 1, .offset = {0.5f, 0.25f}, .scale = {2, 3}, .rotation_rad = 0.5f};
     material.normal_texture.texture = 1;
     material.normal_scale = 0.5f;
-    material.height_texture = {.texture = 1, .uv_set = 1, .scale = {2, 2}};
+    material.height_texture = {.texture = 1, .scale = {2, 2}};
     material.height_depth = 0.0625f;
     Material plain;
     plain.unlit = true;

@@ -221,15 +221,44 @@ TEST(GltfMaterials, HeightsAreReadFromExtras) {
     EXPECT_EQ(scene.textures[0].colour_space, ColourSpace::linear);
     EXPECT_EQ(material.height_texture.uv_set, 1u);
     EXPECT_EQ(material.height_depth, 0.125f);
-    EXPECT_EQ(import(R"({"index":0,"depth":9})").materials[0].height_depth, k_max_height_depth);
-    EXPECT_EQ(import(R"({"index":0,"depth":-9})").materials[0].height_depth, 0.0f);
-    EXPECT_EQ(import(R"({"index":0,"depth":"deep"})").materials[0].height_depth, 0.0f);
+    for (const auto& [depth, used] : {std::pair{"9", k_max_height_depth}, {"-9", 0.0f}, {"\"deep\"", 0.0f}}) {
+        const LogCapture log;
+        EXPECT_EQ(import(std::string{R"({"index":0,"depth":)"} + depth + "}").materials[0].height_depth,
+                  used);
+        EXPECT_THAT(log.text(), HasSubstr("materials[0].extras.ramblaHeight.depth")) << depth;
+    }
     for (const char* const other :
          {R"({"index":1,"depth":0.1})", R"({"depth":0.1})", "7", "[0]", R"("rough")"}) {
         const LogCapture log;
         EXPECT_EQ(import(other).materials[0].height_texture.texture, k_none) << other;
         EXPECT_THAT(log.text(), HasSubstr("materials[0].extras.ramblaHeight")) << other;
     }
+}
+
+TEST(GltfMaterials, HeightsNeedTangentsToo) {
+    Draft draft;
+    draft.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+    draft.add<float>({0, 0, 1, 0, 0, 1}, "VEC2");
+    const auto import = [&](const std::string& material) {
+        return draft.load(
+            R"(,"images":[{"uri":"data:image/png;base64,AA=="}],"textures":[{"source":0}],"materials":[{)" +
+            material +
+            R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1,"TEXCOORD_1":1},)"
+            R"("material":0}]}])");
+    };
+    EXPECT_THAT(import(R"("name":"flat")").meshes[0].tangents, IsEmpty());
+    const Scene alone = import(R"("extras":{"ramblaHeight":{"index":0,"texCoord":1,"depth":0.1}})");
+    EXPECT_EQ(alone.meshes[0].tangents.size(), 3u);
+    // With a normal texture, tangents are those of its coordinates; heights along others would go astray.
+    const std::string normal = R"("normalTexture":{"index":0,"texCoord":0},)";
+    const LogCapture log;
+    const Scene apart = import(normal + R"("extras":{"ramblaHeight":{"index":0,"texCoord":1,"depth":0.1}})");
+    EXPECT_EQ(apart.materials[0].height_texture.texture, k_none);
+    EXPECT_THAT(log.text(), HasSubstr("ramblaHeight: its coordinates are not those of the normal texture"));
+    EXPECT_NE(import(normal + R"("extras":{"ramblaHeight":{"index":0,"depth":0.1}})")
+                  .materials[0]
+                  .height_texture.texture,
+              k_none);
 }
 
 TEST(Transmission, OnlyDielectricsLetLightThrough) {
