@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "ecs/misuse.h"
 #include "systems/reflection.h"
 
 namespace rambla::game {
@@ -70,9 +70,16 @@ std::string text_of(const ecs::FieldDescription& field, const ecs::FieldValue& v
     return std::visit(Text{named}, value);
 }
 
-/// Kept inside the field's range, which the field would refuse to leave.
+/// The largest number of either sign that a field of that kind holds.
+double most_of(ecs::FieldKind kind) {
+    return kind == ecs::FieldKind::float32 ? static_cast<double>(std::numeric_limits<float>::max())
+                                           : std::numeric_limits<double>::max();
+}
+
+/// Kept inside the field's range, which the field would refuse to leave, and finite.
 double in_range(const ecs::FieldDescription& field, double value) {
-    return std::isfinite(value) ? std::clamp(value, field.options.min, field.options.max) : value;
+    const double most = most_of(field.kind);
+    return std::clamp(std::clamp(value, -most, most), field.options.min, field.options.max);
 }
 
 }  // namespace
@@ -108,12 +115,9 @@ void EntityBrowser::list_entities() {
 
 void EntityBrowser::show_components() {
     ImGui::TextUnformatted(name_of(chosen_).c_str());
-    // The entity may be exchanged for another one on the way.
-    const ecs::Entity shown = chosen_;
-    for (const ecs::InspectedComponent& component : ecs::components_of(world_, registry_, shown)) {
+    shown_ = chosen_;  // another one may be chosen on the way
+    for (const ecs::InspectedComponent& component : ecs::components_of(world_, registry_, shown_))
         show_component(component);
-        if (chosen_ != shown) return;
-    }
 }
 
 void EntityBrowser::show_component(const ecs::InspectedComponent& component) {
@@ -161,11 +165,9 @@ void EntityBrowser::show_element(const ecs::InspectedComponent& component, const
         ImGui::PopID();
         return;
     }
-    const bool is_number = std::holds_alternative<double>(value) ||
-                           std::holds_alternative<std::int64_t>(value) ||
-                           std::holds_alternative<std::uint64_t>(value);
-    if (!component.writable || !field.values.empty() ||
-        (!is_number && !std::holds_alternative<bool>(value))) {
+    // Whole numbers mostly are indices, which whoever follows them believes.
+    const bool is_free = std::holds_alternative<double>(value) || std::holds_alternative<bool>(value);
+    if (!component.writable || !is_free) {
         ImGui::Text("%s: %s", label.c_str(), text_of(field, value).c_str());
         return;
     }
@@ -177,25 +179,14 @@ void EntityBrowser::show_element(const ecs::InspectedComponent& component, const
         double now = *real;
         const auto speed = static_cast<float>(0.01 * std::max(std::abs(now), 0.1));
         if (ImGui::DragScalar(label.c_str(), ImGuiDataType_Double, &now, speed, nullptr, nullptr, "%.6g"))
-            change(in_range(field, now));
-    } else if (const auto* const whole = std::get_if<std::int64_t>(&value)) {
-        std::int64_t now = *whole;
-        if (ImGui::InputScalar(label.c_str(), ImGuiDataType_S64, &now)) change(now);
-    } else if (const auto* const count = std::get_if<std::uint64_t>(&value)) {
-        std::uint64_t now = *count;
-        if (ImGui::InputScalar(label.c_str(), ImGuiDataType_U64, &now)) change(now);
+            if (!std::isnan(now)) change(in_range(field, now));
     }
 }
 
 void EntityBrowser::set(const ecs::InspectedComponent& component, const ecs::FieldDescription& field,
                         std::uint32_t element, std::size_t offset, const ecs::FieldValue& value) {
-    void* const object = ecs::component_for_writing(world_, *component.type, chosen_);
-    if (object == nullptr) return;
-    try {
-        ecs::set_field(field, static_cast<std::byte*>(object) + offset, value, element);
-    } catch (const ecs::Misuse&) {
-        // What is typed may lie outside what the field holds: the old value stays.
-    }
+    void* const object = ecs::component_for_writing(world_, *component.type, shown_);
+    if (object != nullptr) ecs::set_field(field, static_cast<std::byte*>(object) + offset, value, element);
 }
 
 }  // namespace rambla::game

@@ -9,8 +9,8 @@
 
 namespace rambla::game {
 
-/// Looks into a world: its archetypes, their entities, and the components of one, whose numbers can be
-/// changed.
+/// Looks into a world: its archetypes, their entities, and the components of one, whose real numbers and
+/// truth values can be changed.
 class EntityBrowser {
 public:
     /// @param world  must outlive this
@@ -38,6 +38,7 @@ private:
     ecs::TypeRegistry registry_;
     std::size_t archetype_ = 0;
     ecs::Entity chosen_;
+    ecs::Entity shown_;
 };
 
 }  // namespace rambla::game
