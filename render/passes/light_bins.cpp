@@ -69,8 +69,13 @@ std::uint64_t entries_of(std::span<const BoundedLight> lights, const shared::Lig
 shared::LightGrid affordable_grid(std::span<const BoundedLight> lights, glm::uvec2 size_px,
                                   std::uint32_t tile_px, std::uint32_t slices) {
     shared::LightGrid grid = make_grid(size_px, tile_px, slices);
-    while (grid.cells.x * grid.cells.y * grid.cells.z > 1u &&
-           entries_of(lights, grid, size_px) > k_most_light_entries) {
+    const auto cells = [&] {
+        return std::uint64_t{grid.cells.x} * grid.cells.y * grid.cells.z;
+    };
+    const auto is_dear = [&] {
+        return cells() > k_most_light_cells || entries_of(lights, grid, size_px) > k_most_light_entries;
+    };
+    while (cells() > 1 && is_dear()) {
         const bool deep = grid.cells.z > 1u;
         grid = make_grid(size_px, deep ? grid.cells.w : 2u * grid.cells.w, deep ? grid.cells.z / 2u : 1u);
     }

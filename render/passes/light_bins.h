@@ -42,6 +42,8 @@ struct LightBins {
 /// Lists that would hold more than this, in all, are made for larger cells instead: half as many slices, then
 /// tiles twice as wide. Down to a single cell, which holds each light once.
 inline constexpr std::uint64_t k_most_light_entries = 4u << 20;
+/// And of cells themselves, of which each has a range of 8 bytes.
+inline constexpr std::uint64_t k_most_light_cells = 1u << 20;
 
 /// Sorts lights into cells. Keeps its memory.
 class LightBinner {

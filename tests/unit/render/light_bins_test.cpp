@@ -138,6 +138,10 @@ TEST(LightBins, TooManyLightsEverywhereGetLargerCells) {
         EXPECT_EQ(bins.ranges.size(), std::size_t{grid.cells.x} * grid.cells.y * grid.cells.z);
         EXPECT_EQ(grid.cells.x, (view.size_px.x + grid.cells.w - 1) / grid.cells.w);
     }
+    LightBinner finest;
+    const LightBins& fine = finest.bin({8192, 8192}, {}, 8, 64);
+    EXPECT_LE(fine.ranges.size(), k_most_light_cells);
+    EXPECT_GT(fine.ranges.size(), k_most_light_cells / 8);
     // What fits keeps the cells that are asked for.
     std::vector<BoundedLight> bounded;
     bound_lights(view, std::vector<systems::FrameLight>(100, {.position_m = {0, 0, -5}, .radius_m = 1e4f}),
