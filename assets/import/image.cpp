@@ -149,7 +149,10 @@ public:
             essential_ = essential_png(bytes, name);
             bytes = essential_;
         }
-        if (format_ == "jpeg") check_jpeg(bytes, name, limits.size_px);
+        if (format_ == "jpeg") {
+            essential_ = essential_jpeg(bytes, name, limits.size_px);
+            bytes = essential_;
+        }
         if (format_ == "openexr") check_exr(bytes, name, limits.size_px);
         memory_.emplace(bytes.data(), bytes.size());
         OIIO::ImageSpec request;

@@ -1,5 +1,7 @@
 #include "assets/import/jpeg.h"
 
+#include <algorithm>
+
 #include "assets/error.h"
 
 namespace rambla::assets {
@@ -25,9 +27,23 @@ bool has_length(std::uint32_t marker) {
     return marker > 0x01 && !(marker >= 0xd0 && marker <= 0xd8);
 }
 
+/// APP0 (JFIF) and APP14 (Adobe) say which colours the components are.
+bool is_remark(std::uint32_t marker) {
+    constexpr std::uint32_t k_comment = 0xfe;
+    return marker == k_comment || (marker > 0xe0 && marker <= 0xef && marker != 0xee);
+}
+
 }  // namespace
 
-void check_jpeg(std::span<const std::byte> bytes, const std::string& name, std::uint32_t max_size_px) {
+std::vector<std::byte> essential_jpeg(std::span<const std::byte> bytes, const std::string& name,
+                                      std::uint32_t max_size_px) {
+    std::vector<std::byte> kept;
+    kept.reserve(bytes.size());
+    std::size_t kept_to = 0;
+    const auto keep_to = [&](std::size_t end) {
+        const auto part = bytes.subspan(kept_to, end - kept_to);
+        kept.insert(kept.end(), part.begin(), part.end());
+    };
     const auto byte = [&](std::size_t at) {
         return at < bytes.size() ? std::to_integer<std::uint32_t>(bytes[at]) : 0u;
     };
@@ -40,7 +56,7 @@ void check_jpeg(std::span<const std::byte> bytes, const std::string& name, std::
         if (byte(at++) != 0xff) continue;
         const std::uint32_t marker = byte(at);
         if (marker == 0xff || !has_length(marker)) continue;
-        if (marker == k_end_of_image) return;
+        if (marker == k_end_of_image) break;
         if (marker == k_start_of_scan && ++scans > k_most_scans)
             throw Error{name, "", "a JPEG of more than " + std::to_string(k_most_scans) + " scans", "fewer"};
         if (is_frame(marker)) {
@@ -50,8 +66,18 @@ void check_jpeg(std::span<const std::byte> bytes, const std::string& name, std::
                 throw Error{name, "", std::to_string(width) + " x " + std::to_string(height) + " pixels",
                             "1 to " + std::to_string(max_size_px) + " each way"};
         }
-        at += 1 + pair(at + 1);
+        const std::size_t length = pair(at + 1);
+        if (is_remark(marker)) {
+            keep_to(at - 1);
+            // The two bytes of the length itself are always read.
+            kept_to = std::min(at + 1 + std::max<std::size_t>(length, 2), bytes.size());
+            at = kept_to;
+            continue;
+        }
+        at += 1 + length;
     }
+    keep_to(bytes.size());
+    return kept;
 }
 
 }  // namespace rambla::assets

@@ -3,6 +3,7 @@
 
 #include "assets/export/image.h"
 #include "assets/import/image.h"
+#include "assets/import/jpeg.h"
 #include "import_support.h"
 
 namespace rambla::assets::test {
@@ -98,6 +99,27 @@ TEST(PictureLimits, AJpegsFrameIsReadBeforeTheLibraryBelievesIt) {
     preview.insert(2,
                    bytes_of<std::uint8_t>({0xff, 0xe1, 0, 11, 0xff, 0xc0, 0, 11, 8, 0xff, 0xff, 0xff, 0xff}));
     EXPECT_THAT(decoding_error(preview), ::testing::Not(HasSubstr("pixels")));
+}
+
+TEST(PictureLimits, RemarksInAJpegAreLeftOut) {
+    const std::string soi = "\xff\xd8";
+    const std::string jfif = bytes_of<std::uint8_t>({0xff, 0xe0, 0, 4, 1, 2});
+    const std::string adobe = bytes_of<std::uint8_t>({0xff, 0xee, 0, 3, 9});
+    const std::string exif = bytes_of<std::uint8_t>({0xff, 0xe1, 0, 6, 'E', 'x', 0xff, 0xee});
+    const std::string comment = bytes_of<std::uint8_t>({0xff, 0xfe, 0, 3, 'c'});
+    const std::string empty =
+        bytes_of<std::uint8_t>({0xff, 0xed, 0, 0});  // less than the length itself takes
+    const std::string rest = jpeg(0xc0, 8, 8, 1).substr(2);
+    const auto essential = [](const std::string& bytes) {
+        return text_of(essential_jpeg(std::as_bytes(std::span{bytes}), "picture", 100));
+    };
+    EXPECT_EQ(essential(soi + jfif + exif + adobe + comment + empty + rest + exif),
+              soi + jfif + adobe + rest + exif)
+        << "behind the end, nothing is looked at";
+    EXPECT_EQ(essential(soi + comment + exif.substr(0, 5)), soi) << "cut inside";
+    EXPECT_EQ(essential(soi + exif.substr(0, 2)), soi) << "cut before the length";
+    EXPECT_EQ(essential(soi + jfif.substr(0, 5)), soi + jfif.substr(0, 5));
+    EXPECT_EQ(essential(soi), soi);
 }
 
 TEST(PictureLimits, AnExrsAttributesAreReadBeforeTheLibraryBelievesThem) {
