@@ -128,6 +128,17 @@ std::string to_text(TimeOfDay time) {
     return text.data();
 }
 
+std::optional<TimeOfDay> time_from_text(std::string_view text) {
+    if (text == "noon") return TimeOfDay{};
+    if (text.size() != 5 || text[2] != ':') return std::nullopt;
+    for (const std::size_t i : {0u, 1u, 3u, 4u})
+        if (text[i] < '0' || text[i] > '9') return std::nullopt;
+    const int hours = 10 * (text[0] - '0') + (text[1] - '0');
+    const int minutes = 10 * (text[3] - '0') + (text[4] - '0');
+    if (hours >= 24 || minutes >= 60) return std::nullopt;
+    return TimeOfDay{60 * hours + minutes};
+}
+
 float sun_height_sine(TimeOfDay time) {
     return time.solar_minutes ? static_cast<float>(to_sun(*time.solar_minutes).y) : noon().direction_to_sun.y;
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "assets/environment.h"
 
@@ -24,6 +25,9 @@ inline constexpr TimeOfDay k_night{22 * 60};
 
 /// `noon`, or HH:MM.
 [[nodiscard]] std::string to_text(TimeOfDay time);
+
+/// What to_text() writes; nothing for other text.
+[[nodiscard]] std::optional<TimeOfDay> time_from_text(std::string_view text);
 
 /// Sine of the sun's height above the horizon, in [-1, 1]. Refraction, which lifts it by up to half a degree,
 /// is left out.

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "assets/clip.h"
+#include "assets/daylight.h"
 #include "assets/image.h"
 #include "assets/material.h"
 #include "assets/mesh.h"
@@ -98,6 +100,7 @@ struct Scene {
     std::vector<Clip> clips;
     std::vector<std::uint32_t>
         roots;  ///< nodes shown by default; others are prototypes to be spawned by name or index
+    std::optional<TimeOfDay> time{};  ///< of the daylight around it, where it is known
 };
 
 }  // namespace rambla::assets

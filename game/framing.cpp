@@ -83,8 +83,10 @@ Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box, const systems
 }
 
 ViewingLight viewing_light(const assets::Scene& scene, std::optional<assets::TimeOfDay> time) {
-    if (time) return {assets::daylight(*time), assets::daylight_exposure_ev(*time)};
-    assets::Environment light = assets::noon();
+    const assets::TimeOfDay own_time = time.value_or(scene.time.value_or(assets::TimeOfDay{}));
+    assets::Environment light = assets::daylight(own_time);
+    const float exposure_ev = assets::daylight_exposure_ev(own_time);
+    if (time) return {light, exposure_ev};
     bool lit = false;
     bool sunlit = false;
     for (const PlacedNode& placed : placed_nodes(scene)) {
@@ -99,7 +101,7 @@ ViewingLight viewing_light(const assets::Scene& scene, std::optional<assets::Tim
         light.direction_to_sun = glm::normalize(to_sun);
         light.sun_illuminance = own.colour * own.intensity;
     }
-    if (!lit) return {light, 0.0f};
+    if (!lit || scene.time) return {light, exposure_ev};
     if (!sunlit) light.sun_illuminance = glm::vec3{0.0f};
     constexpr float k_soft_sky = 0.15f;
     light.sky_zenith_radiance *= k_soft_sky;

@@ -45,9 +45,10 @@ struct Orbit {
 [[nodiscard]] Orbit orbit_of(const systems::Eye& eye, const assets::Bounds& box,
                              const systems::WorldPosition& origin);
 
-/// Light for a viewed scene, apart from its lamps: that of a time of day, if one is wished for, or if it has
-/// no lights. Else its own first directional light is the sun, and the sky is kept soft, so that shadows are
-/// not black and the file's light dominates.
+/// Light for a viewed scene, apart from its lamps: that of a time of day, if one is wished for, with no sun
+/// but its own. Else its first directional light is the sun, under the sky of the scene's own time; where it
+/// knows none, the sky is kept soft if it has lights, so that shadows are not black and the file's light
+/// dominates, and is noon's if it has none.
 struct ViewingLight {
     assets::Environment environment;
     float exposure_ev = 0.0f;

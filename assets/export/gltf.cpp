@@ -125,6 +125,7 @@ private:
         Json shown = Json::object();
         if (!scene_.name.empty()) shown["name"] = scene_.name;
         if (!scene_.roots.empty()) shown["nodes"] = scene_.roots;
+        if (scene_.time) shown["extras"]["ramblaTime"] = to_text(*scene_.time);
         document_["scenes"].push_back(std::move(shown));
         if (!prototypes.empty())
             document_["scenes"].push_back({{"name", "prototypes"}, {"nodes", prototypes}});

@@ -77,6 +77,7 @@ public:
         add_cars();
         add_actors();
         place_.environment = light();
+        place_.scene.time = time_;
         place_.exposure_ev = daylight_exposure_ev(time_);
         place_.walk = plan_walk(plan_);
         place_.walk_fov_rad = 0.96f;

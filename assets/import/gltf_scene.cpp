@@ -131,6 +131,16 @@ void refuse_loops(const Document& document, const Scene& scene, const std::vecto
                       "a loop of children or levels of detail", "a tree");
 }
 
+/// glTF knows no sky. Extras are anybody's: what is no time is left out, not an error.
+void read_time(const Document& document, const tinygltf::Scene& source, const std::string& element,
+               Scene& scene) {
+    if (!source.extras.IsObject() || !source.extras.Has("ramblaTime")) return;
+    const tinygltf::Value& text = source.extras.Get("ramblaTime");
+    if (text.IsString()) scene.time = time_from_text(text.Get<std::string>());
+    if (!scene.time)
+        document.warn(element + ".extras.ramblaTime", "is neither \"noon\" nor HH:MM, and is left out");
+}
+
 void read_roots(const Document& document, Scene& scene) {
     const tinygltf::Model& model = document.model;
     if (model.scenes.empty()) return;
@@ -138,6 +148,7 @@ void read_roots(const Document& document, Scene& scene) {
         document.checked(std::max(model.defaultScene, 0), model.scenes.size(), "scene", "scene");
     const tinygltf::Scene& source = model.scenes[chosen];
     if (!source.name.empty()) scene.name = source.name;
+    read_time(document, source, element_name("scenes", chosen), scene);
     std::vector<bool> listed(scene.nodes.size(), false);
     for (std::size_t i = 0; i < source.nodes.size(); ++i) {
         const std::string element = element_name("scenes", chosen, element_name(".nodes", i));

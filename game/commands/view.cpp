@@ -148,7 +148,9 @@ Command add_view(CLI::App& program) {
     line->footer(
         "Looks through the file's first camera, or shows everything if it has none. The light is the file's "
         "own with a\n"
-        "soft sky; a file without lights stands in the noon sun. --time replaces sun and sky, whatever the "
+        "soft sky, or that of the time that `generate` wrote; a file without lights stands in the noon sun. "
+        "--time "
+        "replaces sun and sky, whatever the "
         "file has.\n"
         "Opens a window where there is a display, unless --headless or --out is given. In the window the "
         "left button\n"

@@ -91,6 +91,7 @@ Scene standing_scene() {
                                    .magnify = Filter::nearest,
                                    .minify = Filter::nearest,
                                    .mip = MipFilter::linear}}};
+    scene.time = TimeOfDay{1195};
     Material material;
     material.name = "brick";
     material.base_colour = {0.1f, 0.2f, 0.3f, 0.4f};

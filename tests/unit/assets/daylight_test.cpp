@@ -130,5 +130,14 @@ TEST(TimeOfDayText, IsNoonOrAClocks) {
     EXPECT_EQ(to_text({1439}), "23:59");
 }
 
+TEST(Daylight, TimesAreReadAsTheyAreWritten) {
+    for (int minute = 0; minute < 24 * 60; ++minute)
+        EXPECT_EQ(time_from_text(to_text(TimeOfDay{minute})), TimeOfDay{minute});
+    EXPECT_EQ(time_from_text(to_text({})), TimeOfDay{});
+    for (const char* const other :
+         {"", "24:00", "12:60", "1:00", "12-30", "ab:cd", "noon ", "12:000", "-1:00"})
+        EXPECT_FALSE(time_from_text(other)) << other;
+}
+
 }  // namespace
 }  // namespace rambla::assets::test

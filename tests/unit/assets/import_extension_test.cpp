@@ -261,6 +261,21 @@ TEST(GltfMaterials, HeightsNeedTangentsToo) {
               k_none);
 }
 
+TEST(GltfScenes, TheTimeOfDayIsReadFromExtras) {
+    const auto import = [](const std::string& time) {
+        return Draft{}.load(R"(,"scenes":[{"extras":{"ramblaTime":)" + time + "}}]");
+    };
+    EXPECT_EQ(import(R"("19:55")").time, k_dusk);
+    EXPECT_EQ(import(R"("noon")").time, TimeOfDay{});
+    EXPECT_EQ(Draft{}.load("").time, std::nullopt);
+    for (const char* const other : {R"("25:00")", "7", "true"}) {
+        const LogCapture log;
+        EXPECT_EQ(import(other).time, std::nullopt) << other;
+        EXPECT_THAT(log.text(), HasSubstr("scenes[0].extras.ramblaTime: is neither \"noon\" nor HH:MM"))
+            << other;
+    }
+}
+
 TEST(Transmission, OnlyDielectricsLetLightThrough) {
     Material material;
     material.metalness = 0.0f;

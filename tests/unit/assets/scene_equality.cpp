@@ -189,6 +189,7 @@ void expect_equal(const Clip& a, const Clip& b) {
 void expect_equal(const Scene& scene, const Scene& back) {
     EXPECT_EQ(scene.name, back.name);
     EXPECT_EQ(scene.roots, back.roots);
+    EXPECT_EQ(scene.time, back.time);
     expect_all_equal(scene.images, back.images);
     expect_all_equal(scene.textures, back.textures);
     expect_all_equal(scene.materials, back.materials);

@@ -140,6 +140,25 @@ TEST(ViewingLight, ADirectionalLightIsTheSun) {
     EXPECT_EQ(viewing_light(scene, {}).environment.sun_illuminance, glm::vec3{0.0f});
 }
 
+TEST(ViewingLight, ASceneThatKnowsItsTimeStandsUnderItsSky) {
+    assets::Scene scene = scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {});
+    scene.time = assets::k_dusk;
+    scene.lights.push_back({.name = "lamp", .kind = assets::LightKind::point});
+    scene.nodes[add_turned_node(scene)].light = 0;
+    const ViewingLight dusk = viewing_light(scene, {});
+    const assets::Environment expected = assets::daylight(assets::k_dusk);
+    EXPECT_EQ(dusk.environment.sky_zenith_radiance, expected.sky_zenith_radiance);
+    EXPECT_EQ(dusk.environment.sun_illuminance, glm::vec3{0.0f});
+    EXPECT_EQ(dusk.exposure_ev, assets::daylight_exposure_ev(assets::k_dusk));
+    // A sun of its own stands where it says, and what is asked for comes first.
+    scene.lights.push_back({.name = "sun", .kind = assets::LightKind::directional, .intensity = 4.0f});
+    scene.nodes[add_turned_node(scene)].light = 1;
+    EXPECT_EQ(viewing_light(scene, {}).environment.sun_illuminance, glm::vec3{4.0f});
+    EXPECT_EQ(viewing_light(scene, {}).environment.sky_zenith_radiance, expected.sky_zenith_radiance);
+    EXPECT_EQ(viewing_light(scene, assets::TimeOfDay{}).environment.sky_zenith_radiance,
+              assets::noon().sky_zenith_radiance);
+}
+
 TEST(ViewingLight, AnAskedForTimeReplacesTheFilesSunAndSky) {
     assets::Scene scene = scene_of({glm::vec3{-1.0f}, glm::vec3{1.0f}}, {});
     scene.lights.push_back({.name = "sun", .kind = assets::LightKind::directional, .intensity = 4.0f});
