@@ -98,18 +98,18 @@ std::vector<unsigned char> read_file(const fs::path& file, std::uint64_t max_byt
     if (size > max_bytes)
         throw Error{file.string(), "", std::to_string(size) + " bytes",
                     "at most " + std::to_string(max_bytes)};
-    // Through a small buffer that stays in the cache: a vector of the whole size would be filled with zeros
-    // first.
+    // Piece by piece, so that the zeros that a vector is filled with first are still in the cache when they are
+    // overwritten.
     constexpr std::uint64_t k_piece_bytes = 128 << 10;
     std::vector<unsigned char> bytes;
     bytes.reserve(static_cast<std::size_t>(size));
-    std::vector<unsigned char> piece(static_cast<std::size_t>(std::min(size, k_piece_bytes)));
     std::ifstream stream{file, std::ios::binary};
     while (bytes.size() < size) {
-        const std::uint64_t wanted = std::min(k_piece_bytes, size - bytes.size());
-        stream.read(reinterpret_cast<char*>(piece.data()), static_cast<std::streamsize>(wanted));
+        const std::size_t begin = bytes.size();
+        const std::uint64_t wanted = std::min(k_piece_bytes, size - begin);
+        bytes.resize(begin + static_cast<std::size_t>(wanted));
+        stream.read(reinterpret_cast<char*>(&bytes[begin]), static_cast<std::streamsize>(wanted));
         if (!stream) throw Error{file.string(), "", "cannot be read", ""};
-        bytes.insert(bytes.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(wanted));
     }
     return bytes;
 }
