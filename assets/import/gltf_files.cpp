@@ -98,8 +98,8 @@ std::vector<unsigned char> read_file(const fs::path& file, std::uint64_t max_byt
     if (size > max_bytes)
         throw Error{file.string(), "", std::to_string(size) + " bytes",
                     "at most " + std::to_string(max_bytes)};
-    // Piece by piece, so that the zeros that a vector is filled with first are still in the cache when they are
-    // overwritten.
+    // Piece by piece, so that the zeros that a vector is filled with first are still in the cache when they
+    // are overwritten.
     constexpr std::uint64_t k_piece_bytes = 128 << 10;
     std::vector<unsigned char> bytes;
     bytes.reserve(static_cast<std::size_t>(size));
