@@ -50,15 +50,15 @@ std::string expectation(const Shape& shape) {
 
 }  // namespace
 
-const Shape* ShapeCheck::expected() const {
-    if (levels_.empty()) return &document_shape();
+ShapeMember ShapeCheck::expected() const {
+    if (levels_.empty()) return {{}, &document_shape()};
     const Level& level = levels_.back();
-    if (level.shape == nullptr) return nullptr;
-    if (level.shape->each != nullptr) return level.shape->each;
+    if (level.shape == nullptr) return {{}, nullptr};
+    if (level.shape->each != nullptr) return {{}, level.shape->each};
     const auto members = level.shape->members;
     const auto found = std::find_if(members.begin(), members.end(),
                                     [&](const ShapeMember& member) { return member.name == key_; });
-    return found == members.end() ? nullptr : found->shape;
+    return found == members.end() ? ShapeMember{{}, nullptr} : *found;
 }
 
 void ShapeCheck::count() {
@@ -67,16 +67,10 @@ void ShapeCheck::count() {
 
 void ShapeCheck::open(JsonKind kind) {
     if (failure_) return;
-    const Shape* const shape = expected();
+    const auto [name, shape] = expected();
     const bool fits = shape == nullptr || shape->kind == kind || shape->kind == JsonKind::anything;
     if (!fits) return fail(*shape, kind == JsonKind::array ? "an array" : "an object");
-    levels_.push_back({.shape = shape, .name = {}, .index = 0, .is_array = kind == JsonKind::array});
-    if (shape == nullptr) return;
-    // Of what has a shape, the tables keep the name.
-    Level& opened = levels_.back();
-    if (levels_.size() < 2) return;
-    for (const ShapeMember& member : levels_[levels_.size() - 2].shape->members)
-        if (member.name == key_) opened.name = member.name;
+    levels_.push_back({.shape = shape, .name = name, .index = 0, .is_array = kind == JsonKind::array});
 }
 
 void ShapeCheck::close() {
@@ -94,7 +88,7 @@ void ShapeCheck::close() {
 template <class Describe>
 void ShapeCheck::scalar(JsonKind kind, const Describe& describe) {
     if (failure_) return;
-    const Shape* const shape = expected();
+    const Shape* const shape = expected().shape;
     if (shape != nullptr && shape->kind != kind && shape->kind != JsonKind::anything)
         return fail(*shape, describe());
     count();
@@ -115,7 +109,7 @@ void ShapeCheck::text(std::string_view value) {
 template <class Describe>
 void ShapeCheck::check_number(double value, bool is_whole, const Describe& describe) {
     if (failure_) return;
-    const Shape* const shape = expected();
+    const Shape* const shape = expected().shape;
     if (shape != nullptr && shape->kind != JsonKind::anything) {
         const bool inside = value >= shape->least && value <= shape->most;
         const bool fits =

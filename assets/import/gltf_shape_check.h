@@ -57,7 +57,8 @@ private:
         bool is_array = false;
     };
 
-    [[nodiscard]] const Shape* expected() const;
+    /// What must come next: its shape, null for anything, and its name if the table has one.
+    [[nodiscard]] ShapeMember expected() const;
     void count();
     void open(JsonKind kind);
     template <class Describe>
