@@ -61,6 +61,7 @@ struct Material {
     /// How far a height of 0 lies below one of 1, in units of texture coordinates before their transform,
     /// which are taken to be as long one way as the other; [0, k_max_height_depth].
     float height_depth = 0.0f;
+    float light_map_strength = 1.0f;  ///< factor of the light map, ≥ 0: what makes bytes of a picture HDR
     float alpha_cutoff = 0.5f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     bool double_sided = false;
@@ -74,6 +75,10 @@ struct Material {
     TextureSlot specular_colour_texture;  ///< RGB
     TextureSlot transmission_texture;     ///< R
     TextureSlot height_texture;           ///< R: 1 at the surface, 0 at the deepest
+    /// RGB: the radiance that a white Lambert surface would send because of light that has been baked, which
+    /// is its irradiance over π, with all that hides it counted in. Bytes are sRGB, so that the dark keeps
+    /// its steps, floats are linear light.
+    TextureSlot light_map_texture;
 };
 
 inline constexpr float k_max_height_depth = 0.25f;  ///< of Material::height_depth;
@@ -84,6 +89,13 @@ inline constexpr float k_max_height_depth = 0.25f;  ///< of Material::height_dep
     return material.transmission > 0.0f && !metal && !material.unlit;
 }
 
+/// Whether baked light falls on it and it scatters some: metals and what is unlit scatter none.
+[[nodiscard]] inline bool is_light_mapped(const Material& material) {
+    const bool metal = material.metalness >= 1.0f && material.metalness_roughness_texture.texture == k_none;
+    return material.light_map_texture.texture != k_none && material.light_map_strength > 0.0f && !metal &&
+           !material.unlit;
+}
+
 /// Its alpha mode, but that what transmits is blended with what lies behind it.
 [[nodiscard]] inline AlphaMode drawn_as(const Material& material) {
     return transmits(material) ? AlphaMode::blend : material.alpha_mode;
@@ -92,10 +104,10 @@ inline constexpr float k_max_height_depth = 0.25f;  ///< of Material::height_dep
 /// Calls `visit` with each texture slot of a material.
 template <class M, class Visit>
 void for_each_texture_slot(M& material, Visit&& visit) {
-    for (auto* slot :
-         {&material.base_colour_texture, &material.metalness_roughness_texture, &material.normal_texture,
-          &material.occlusion_texture, &material.emissive_texture, &material.specular_texture,
-          &material.specular_colour_texture, &material.transmission_texture, &material.height_texture})
+    for (auto* slot : {&material.base_colour_texture, &material.metalness_roughness_texture,
+                       &material.normal_texture, &material.occlusion_texture, &material.emissive_texture,
+                       &material.specular_texture, &material.specular_colour_texture,
+                       &material.transmission_texture, &material.height_texture, &material.light_map_texture})
         visit(*slot);
 }
 

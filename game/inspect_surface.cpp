@@ -28,6 +28,7 @@ nlohmann::json textures_of(const Material& material) {
     add("specular_colour", material.specular_colour_texture);
     add("transmission", material.transmission_texture);
     add("height", material.height_texture);
+    add("light_map", material.light_map_texture);
     return used;
 }
 
@@ -82,6 +83,7 @@ nlohmann::json inspected_material(const Material& material, const std::vector<st
             {"specular_colour", numbers(material.specular_colour)},
             {"transmission", material.transmission},
             {"height_depth", material.height_depth},
+            {"light_map_strength", material.light_map_strength},
             {"textures", textures_of(material)},
             {"extensions", extensions}};
 }

@@ -66,6 +66,11 @@ public:
             height = slot(material_.height_texture);
             height["depth"] = material_.height_depth;
         }
+        if (material_.light_map_texture.texture != k_none) {
+            Json& light_map = out["extras"]["ramblaLightMap"];
+            light_map = slot(material_.light_map_texture);
+            light_map["strength"] = material_.light_map_strength;
+        }
         if (material_.unlit) use(out, "KHR_materials_unlit") = Json::object();
         return out;
     }

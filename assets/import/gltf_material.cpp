@@ -37,6 +37,7 @@ public:
         material_.unlit = extension("KHR_materials_unlit") != nullptr;
         read_dielectric();
         read_height();
+        read_light_map();
         return std::move(material_);
     }
 
@@ -136,19 +137,27 @@ private:
         }
     }
 
-    /// glTF knows no heights. Extras are anybody's: what does not fit is left out, not an error.
-    void read_height() {
-        const std::string name = "ramblaHeight";
-        if (!source_.extras.IsObject() || !source_.extras.Has(name)) return;
+    /// The texture of an entry of the extras. Extras are anybody's: what does not fit is left out, not an
+    /// error.
+    /// @param what  of the surface it is, for warnings
+    TextureSlot extra_slot(const std::string& name, const char* what) const {
+        if (!source_.extras.IsObject() || !source_.extras.Has(name)) return {};
         const tinygltf::TextureInfo info = texture_info(source_.extras, name);
         const auto count = static_cast<int>(document_.model.textures.size());
         if (info.index < 0 || info.index >= count) {
             document_.warn(element_ + ".extras." + name, "index is " + std::to_string(info.index) +
                                                              ", expected one of " + std::to_string(count) +
-                                                             " textures: heights are left out");
-            return;
+                                                             " textures: " + what + " left out");
+            return {};
         }
-        const TextureSlot heights = slot(info, "extras." + name);
+        return slot(info, "extras." + name);
+    }
+
+    /// glTF knows no heights.
+    void read_height() {
+        const std::string name = "ramblaHeight";
+        const TextureSlot heights = extra_slot(name, "heights are");
+        if (heights.texture == k_none) return;
         if (material_.normal_texture.texture != k_none && material_.normal_texture.uv_set != heights.uv_set) {
             document_.warn(element_ + ".extras." + name,
                            "its coordinates are not those of the normal texture: heights are left out");
@@ -161,6 +170,19 @@ private:
             document_.warn(element_ + ".extras." + name + ".depth",
                            "is no number from 0 to " + number_text(k_max_height_depth) + ", " +
                                number_text(material_.height_depth) + " is used");
+    }
+
+    /// Nor does it know light maps.
+    void read_light_map() {
+        const std::string name = "ramblaLightMap";
+        material_.light_map_texture = extra_slot(name, "the light map is");
+        if (material_.light_map_texture.texture == k_none) return;
+        const tinygltf::Value& source = source_.extras.Get(name);
+        if (!source.Has("strength")) return;
+        const float strength = number_of(source, "strength", -1.0f);
+        material_.light_map_strength = std::max(strength, 0.0f);
+        if (strength < 0.0f)
+            document_.warn(element_ + ".extras." + name + ".strength", "is no number from 0 on, 0 is used");
     }
 
     const Document& document_;

@@ -21,15 +21,16 @@ struct Use {
     ColourSpace colour_space;
 };
 
-constexpr std::array<Use, 9> k_uses{{{&Material::base_colour_texture, ColourSpace::srgb},
-                                     {&Material::metalness_roughness_texture, ColourSpace::linear},
-                                     {&Material::normal_texture, ColourSpace::linear},
-                                     {&Material::occlusion_texture, ColourSpace::linear},
-                                     {&Material::emissive_texture, ColourSpace::srgb},
-                                     {&Material::specular_texture, ColourSpace::linear},
-                                     {&Material::specular_colour_texture, ColourSpace::srgb},
-                                     {&Material::transmission_texture, ColourSpace::linear},
-                                     {&Material::height_texture, ColourSpace::linear}}};
+constexpr std::array<Use, 10> k_uses{{{&Material::base_colour_texture, ColourSpace::srgb},
+                                      {&Material::metalness_roughness_texture, ColourSpace::linear},
+                                      {&Material::normal_texture, ColourSpace::linear},
+                                      {&Material::occlusion_texture, ColourSpace::linear},
+                                      {&Material::emissive_texture, ColourSpace::srgb},
+                                      {&Material::specular_texture, ColourSpace::linear},
+                                      {&Material::specular_colour_texture, ColourSpace::srgb},
+                                      {&Material::transmission_texture, ColourSpace::linear},
+                                      {&Material::height_texture, ColourSpace::linear},
+                                      {&Material::light_map_texture, ColourSpace::srgb}}};
 
 /// Says what it is that the functions below do not know. tinygltf gives −1 for what is absent.
 void warn_of_unknown(const Document& document) {

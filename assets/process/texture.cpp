@@ -81,7 +81,7 @@ TextureData process_texture(const TextureJob& job, ChannelMask channels, std::sp
     Layout layout;
     if (picture.format == PixelFormat::rgba32f) {
         layout.format = TexelFormat::rgba32f;
-    } else if (parameters.compression != Compression::off) {
+    } else if (parameters.compression != Compression::off && job.role != TextureRole::light) {
         const Layout blocks =
             layout_of(channels, job.colour_space, std::all_of(levels.begin(), levels.end(), is_opaque));
         if (stored_size(blocks.format, finest.width, finest.height) <

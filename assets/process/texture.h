@@ -23,8 +23,8 @@ inline constexpr std::array k_texture_parameters{
 };
 
 /// All levels of a picture for one use, compressed for the channels that are read: one in bc4, two in bc5 if
-/// they are linear, alpha that is not opaque everywhere in bc3, else bc1. Float pictures, and those smaller
-/// than a block, stay as they are.
+/// they are linear, alpha that is not opaque everywhere in bc3, else bc1. Float pictures, light maps
+/// and what is smaller than a block stay as they are.
 /// @param images  of the scene that the job was planned for
 [[nodiscard]] TextureData process_texture(const TextureJob& job, ChannelMask channels,
                                           std::span<const Image> images, const TextureParameters& parameters);

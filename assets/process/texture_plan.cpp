@@ -51,6 +51,7 @@ private:
         if (!transmits(before)) material.transmission_texture.texture = k_none;
         use(material.transmission_texture, as(TextureRole::data, before.transmission_texture), k_red);
         use(material.height_texture, as(TextureRole::data, before.height_texture), k_red);
+        use(material.light_map_texture, as(TextureRole::light, before.light_map_texture), k_rgb);
         plan_roughness(material, before);
     }
 

@@ -10,10 +10,11 @@
 namespace rambla::assets {
 
 enum class TextureRole : std::uint8_t {
-    colour,    ///< light, sRGB or linear
-    data,      ///< numbers, linear
-    normals,   ///< a tangent-space normal map
-    roughness  ///< metalness and roughness under a normal map
+    colour,     ///< light, sRGB or linear
+    data,       ///< numbers, linear
+    normals,    ///< a tangent-space normal map
+    roughness,  ///< metalness and roughness under a normal map
+    light  ///< a light map, never in blocks: it is smooth and seen close up, where their 5 bits would band
 };
 
 /// Bits of the channels that materials read.

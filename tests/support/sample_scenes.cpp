@@ -107,6 +107,8 @@ Scene standing_scene() {
     material.normal_scale = 0.5f;
     material.height_texture = {.texture = 1, .scale = {2, 2}};
     material.height_depth = 0.0625f;
+    material.light_map_texture = {.texture = 0, .uv_set = 1, .scale = {0.5f, 0.5f}};
+    material.light_map_strength = 17.5f;
     Material plain;
     plain.unlit = true;
     plain.alpha_mode = AlphaMode::blend;

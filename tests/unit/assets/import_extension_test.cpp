@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "draft.h"
 
 namespace rambla::assets::test {
@@ -233,6 +235,61 @@ TEST(GltfMaterials, HeightsAreReadFromExtras) {
         EXPECT_EQ(import(other).materials[0].height_texture.texture, k_none) << other;
         EXPECT_THAT(log.text(), HasSubstr("materials[0].extras.ramblaHeight")) << other;
     }
+}
+
+TEST(GltfMaterials, LightMapsAreReadFromExtras) {
+    const auto import = [](const std::string& light_map) {
+        Draft draft;
+        return draft.load(R"(,"images":[{"uri":"data:image/png;base64,AA=="}],"textures":[{"source":0}],)"
+                          R"("materials":[{"extras":{"ramblaLightMap":)" +
+                          light_map + "}}]");
+    };
+    const Scene scene = import(
+        R"({"index":0,"texCoord":1,"strength":12.5,"extensions":{"KHR_texture_transform":{"scale":[2,3]}}})");
+    const Material& material = scene.materials[0];
+    ASSERT_EQ(material.light_map_texture.texture, 0u);
+    EXPECT_EQ(scene.textures[0].colour_space, ColourSpace::srgb);
+    EXPECT_EQ(material.light_map_texture.uv_set, 1u);
+    EXPECT_EQ(material.light_map_texture.scale, glm::vec2(2, 3));
+    EXPECT_EQ(material.light_map_strength, 12.5f);
+    {
+        const LogCapture log;
+        EXPECT_EQ(import(R"({"index":0})").materials[0].light_map_strength, 1.0f);
+        EXPECT_THAT(log.text(), Not(HasSubstr("ramblaLightMap"))) << "a strength is not called for";
+    }
+    EXPECT_TRUE(std::isfinite(import(R"({"index":0,"strength":1e300})").materials[0].light_map_strength));
+    for (const char* const strength : {"-0.5", "\"bright\"", "null", "[1]", "true"}) {
+        const LogCapture log;
+        const Scene dark = import(std::string{R"({"index":0,"strength":)"} + strength + "}");
+        EXPECT_EQ(dark.materials[0].light_map_strength, 0.0f) << strength;
+        EXPECT_THAT(log.text(), HasSubstr("materials[0].extras.ramblaLightMap.strength")) << strength;
+    }
+    for (const char* const other : {R"({"index":1})", R"({"index":-1})", R"({"strength":2})",
+                                    R"({"index":"0"})", "7", "[0]", R"("rough")"}) {
+        const LogCapture log;
+        const Material without = import(other).materials[0];
+        EXPECT_EQ(without.light_map_texture.texture, k_none) << other;
+        EXPECT_EQ(without.light_map_strength, 1.0f) << other;
+        EXPECT_THAT(log.text(), HasSubstr("materials[0].extras.ramblaLightMap")) << other;
+    }
+}
+
+TEST(LightMaps, MatterOnlyToWhatScattersTheirLight) {
+    Material material;
+    material.metalness = 0.0f;
+    EXPECT_FALSE(is_light_mapped(material));
+    material.light_map_texture.texture = 0;
+    EXPECT_TRUE(is_light_mapped(material));
+    material.metalness = 1.0f;
+    EXPECT_FALSE(is_light_mapped(material));
+    // A texture may say that it is no metal everywhere.
+    material.metalness_roughness_texture.texture = 0;
+    EXPECT_TRUE(is_light_mapped(material));
+    material.light_map_strength = 0.0f;
+    EXPECT_FALSE(is_light_mapped(material));
+    material.light_map_strength = 1.0f;
+    material.unlit = true;
+    EXPECT_FALSE(is_light_mapped(material));
 }
 
 TEST(GltfMaterials, HeightsNeedTangentsToo) {

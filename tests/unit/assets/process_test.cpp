@@ -122,6 +122,20 @@ TEST(ProcessTextures, FormatsFollowTheChannelsThatAreRead) {
         EXPECT_TRUE(image.format == TexelFormat::rgba8 || image.format == TexelFormat::rgba32f);
 }
 
+TEST(ProcessTextures, LightMapsAreNotCompressed) {
+    Scene scene = pictures();
+    scene.materials.resize(2);
+    scene.materials[0].light_map_texture = slot(0);
+    scene.materials[0].emissive_texture = slot(0);
+    scene.materials[1].light_map_texture = slot(3);
+    const ProcessedScene out = process(scene, {});
+    const TextureData& bytes = shown(out, out.materials[0].light_map_texture);
+    EXPECT_EQ(bytes.format, TexelFormat::rgba8);
+    EXPECT_EQ(bytes.colour_space, ColourSpace::srgb);
+    EXPECT_EQ(shown(out, out.materials[0].emissive_texture).format, TexelFormat::bc1);
+    EXPECT_EQ(shown(out, out.materials[1].light_map_texture).format, TexelFormat::rgba32f);
+}
+
 TEST(ProcessTextures, LevelsLieOneBehindTheOther) {
     Scene scene = pictures();
     scene.materials.resize(1);

@@ -51,6 +51,7 @@ void expect_equal(const Material& a, const Material& b) {
     EXPECT_EQ(a.specular_colour, b.specular_colour);
     EXPECT_EQ(a.transmission, b.transmission);
     EXPECT_EQ(a.height_depth, b.height_depth);
+    EXPECT_EQ(a.light_map_strength, b.light_map_strength);
     EXPECT_EQ(a.alpha_mode, b.alpha_mode);
     if (a.alpha_mode == AlphaMode::mask) {
         EXPECT_EQ(a.alpha_cutoff, b.alpha_cutoff);

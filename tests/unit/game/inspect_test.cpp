@@ -41,6 +41,8 @@ assets::GltfWithFacts figure() {
     scene.materials.resize(1);
     scene.materials[0].name = "cloth";
     scene.materials[0].transmission = 0.25f;
+    scene.materials[0].light_map_strength = 2.5f;
+    scene.materials[0].light_map_texture = {.texture = 0, .uv_set = 1};
     scene.materials[0].base_colour_texture.texture = 0;
     scene.meshes = {skinned_triangle()};
     scene.models = {{.name = "figure", .parts = {{0, 0}}, .morph_weights = {0.5f}}};
@@ -117,6 +119,8 @@ TEST(Inspection, TellsMaterialsImagesCamerasAndLights) {
     EXPECT_EQ(result["materials"][0]["extensions"], Json::array({"KHR_materials_transmission"}));
     EXPECT_EQ(result["materials"][0]["transmission"], 0.25);
     EXPECT_EQ(result["materials"][0]["textures"]["base_colour"]["texture"], 0);
+    EXPECT_EQ(result["materials"][0]["textures"]["light_map"]["uv_set"], 1);
+    EXPECT_EQ(result["materials"][0]["light_map_strength"], 2.5);
     EXPECT_EQ(result["images"][0]["colour_spaces"], Json::array({"linear", "sRGB"}));
     EXPECT_EQ(result["images"][0]["width_px"], 4);
     EXPECT_EQ(result["images"][0]["encoding"], "png");
