@@ -63,7 +63,7 @@ struct FrameResources {
     TextureHandle albedo{};         ///< G-buffer: what it holds is said in gbuffer_layout.glsl
     TextureHandle normal{};         ///< G-buffer
     TextureHandle surface{};        ///< G-buffer
-    TextureHandle emission{};       ///< G-buffer; only when frame.emissive
+    TextureHandle emission{};       ///< G-buffer; only when frame.needs_emission
     TextureHandle position{};       ///< G-buffer; only in the wide layout
     TextureHandle tangent{};        ///< G-buffer; only in the wide layout
     TextureHandle shadow_map{};     ///< sun, depth, 1 nearest to the sun

@@ -37,6 +37,7 @@ std::array<BoundTexture, k_material_units> bound_textures(const assets::Material
     set(UNIT_SPECULAR_COLOUR, material.specular_colour_texture, textures.white);
     set(UNIT_HEIGHT, material.height_texture, textures.white);
     set(UNIT_TRANSMISSION, material.transmission_texture, textures.white);
+    set(UNIT_LIGHT_MAP, material.light_map_texture, textures.white);
     return bound;
 }
 
@@ -100,7 +101,8 @@ shared::Material shader_material(const assets::Material& m, bool normal_z_is_mis
             .specular_colour_uv = shader_transform(m.specular_colour_texture),
             .height_uv = shader_transform(m.height_texture),
             .transmission_uv = shader_transform(m.transmission_texture),
-            .transmission = {m.transmission, 0.0f, 0.0f, 0.0f}};
+            .light_map_uv = shader_transform(m.light_map_texture),
+            .transmission = {m.transmission, m.light_map_strength, 0.0f, 0.0f}};
 }
 
 SceneMaterials upload_materials(const assets::ProcessedScene& scene, const SceneTextures& textures) {

@@ -16,7 +16,7 @@ namespace rambla::render {
 /// Textures that a material may have.
 inline constexpr std::size_t k_material_units = UNIT_BESIDE_MATERIALS;
 
-/// Names to bind for one material, in the order of the units UNIT_BASE_COLOUR … UNIT_TRANSMISSION.
+/// Names to bind for one material, in the order of the units UNIT_BASE_COLOUR … UNIT_LIGHT_MAP.
 struct MaterialSlots {
     std::array<GLuint, k_material_units> textures{};
     std::array<GLuint, k_material_units> samplers{};

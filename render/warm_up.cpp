@@ -131,7 +131,7 @@ std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Setting
         for (std::size_t i = 0; i < k_ways; ++i) {
             FrameInput input;
             input.frame = frame;
-            input.frame.emissive = emissive;
+            input.frame.needs_emission = emissive;
             if (i >= 2) input.frame.lights.clear();
             input.settings = settings;
             input.settings.tone.curve = static_cast<ToneCurve>(i % k_tone_curves.size());

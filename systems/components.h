@@ -90,7 +90,7 @@ struct Sunlight {
 
 /// Resource: what the queues must know of the scene's materials.
 struct MaterialFacts {
-    std::vector<std::uint8_t> shines;  ///< by material index: 1 if it emits or is unlit
+    std::vector<std::uint8_t> needs_emission;  ///< by material index: 1 if it emits, is light-mapped or unlit
 };
 
 /// Resource: simulation steps taken so far.

@@ -146,7 +146,8 @@ struct Frame {
     /// For each of ProcessedScene::images the finest mip level that the picture can need, or k_not_demanded;
     /// empty: nothing is known of that, and textures stay as they are.
     std::vector<std::uint8_t> texture_demand;
-    bool emissive = false;  ///< some visible material emits or is unlit: the emission target is needed
+    /// Some visible material emits, is light-mapped or unlit: what it sends needs the emission target.
+    bool needs_emission = false;
     CaptureRequest capture;
     FrameCounts counts;
     std::shared_ptr<const void>

@@ -269,7 +269,8 @@ void note_materials(ecs::World& world, const assets::Scene& scene) {
     MaterialFacts facts;
     for (const assets::Material& material : scene.materials) {
         const glm::vec3 e = material.emissive;
-        facts.shines.push_back(material.unlit || e.x > 0.0f || e.y > 0.0f || e.z > 0.0f ? 1 : 0);
+        const bool emits = e.x > 0.0f || e.y > 0.0f || e.z > 0.0f;
+        facts.needs_emission.push_back(material.unlit || emits || assets::is_light_mapped(material) ? 1 : 0);
     }
     world.set_resource(std::move(facts));
 }

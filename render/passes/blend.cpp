@@ -44,6 +44,7 @@ void BlendPass::add(RenderGraph& graph, FrameResources& resources) {
                          .wide_filter = shadowed && settings.shadows.taps == ShadowTaps::sixteen,
                          .specular = has_specular_textures(look),
                          .transmissive = transmissive,
+                         .light_mapped = assets::is_light_mapped(look),
                          .brdf = settings.brdf.model});
                 });
         });

@@ -16,6 +16,7 @@ const gl::Program& DepthPrePass::program(bool masked, bool skinned, bool morphed
                                                        {"EMISSION", "0"},
                                                        {"SPECULAR", "0"},
                                                        {"TRANSMISSION", "0"},
+                                                       {"LIGHT_MAP", "0"},
                                                        {"SKINNED", skinned ? "1" : "0"},
                                                        {"MORPHED", morphed ? "1" : "0"}}});
     }

@@ -30,15 +30,18 @@ void ForwardPass::add(RenderGraph& graph, FrameResources& resources) {
             resources.counts += resources.opaque.draw(
                 resources.scene,
                 [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
+                    const assets::Material& look = resources.scene.material(material);
+                    const bool emissive = resources.frame.needs_emission;
                     return programs_.get(
                         {.masked = pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask),
-                         .detail = surface_detail(resources.scene.material(material), settings.detail.grade),
-                         .emissive = resources.frame.emissive,
+                         .detail = surface_detail(look, settings.detail.grade),
+                         .emissive = emissive,
                          .skinned = pipeline.skinned,
                          .morphed = pipeline.morphed,
                          .shadowed = shadowed,
                          .wide_filter = shadowed && settings.shadows.taps == ShadowTaps::sixteen,
-                         .specular = has_specular_textures(resources.scene.material(material)),
+                         .specular = has_specular_textures(look),
+                         .light_mapped = emissive && assets::is_light_mapped(look),
                          .brdf = settings.brdf.model});
                 });
         });

@@ -17,7 +17,7 @@ const gl::Program& ForwardPrograms::get(Variant v) {
     const std::size_t index = (v.blended ? 1u : 0u) | (v.masked ? 2u : 0u) | (v.emissive ? 4u : 0u) |
                               (v.skinned ? 8u : 0u) | (v.morphed ? 16u : 0u) | (v.shadowed ? 32u : 0u) |
                               (v.wide_filter ? 64u : 0u) | (v.specular ? 128u : 0u) |
-                              (v.transmissive ? 256u : 0u) | choices << 9u;
+                              (v.transmissive ? 256u : 0u) | (v.light_mapped ? 512u : 0u) | choices << 10u;
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = v.blended ? "blend" : "forward",
                                            .vertex = "mesh.vert.glsl",
@@ -29,6 +29,7 @@ const gl::Program& ForwardPrograms::get(Variant v) {
                                                        {"EMISSION", flag(v.emissive)},
                                                        {"SPECULAR", flag(v.specular)},
                                                        {"TRANSMISSION", flag(v.transmissive)},
+                                                       {"LIGHT_MAP", flag(v.light_mapped)},
                                                        {"SKINNED", flag(v.skinned)},
                                                        {"MORPHED", flag(v.morphed)},
                                                        {"SHADOW_MAP", flag(v.shadowed)},

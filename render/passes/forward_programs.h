@@ -23,6 +23,7 @@ public:
         bool wide_filter = false;
         bool specular = false;
         bool transmissive = false;
+        bool light_mapped = false;
         Brdf brdf = Brdf::ggx;
     };
 
@@ -32,7 +33,7 @@ public:
 
 private:
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, std::size_t{512} * k_surface_details * k_brdf_models.size()> variants_{};
+    std::array<const gl::Program*, std::size_t{1024} * k_surface_details * k_brdf_models.size()> variants_{};
 };
 
 }  // namespace rambla::render

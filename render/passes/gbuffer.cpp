@@ -49,7 +49,8 @@ const gl::Program& GBufferPass::program(Variant variant) {
     const std::size_t index =
         (variant.masked ? 1u : 0u) | (variant.emissive ? 2u : 0u) | (variant.skinned ? 4u : 0u) |
         (variant.morphed ? 8u : 0u) | (variant.specular ? 16u : 0u) |
-        (variant.layout == GBufferLayout::wide ? 32u : 0u) | static_cast<std::size_t>(variant.detail) << 6u;
+        (variant.layout == GBufferLayout::wide ? 32u : 0u) | (variant.light_mapped ? 64u : 0u) |
+        static_cast<std::size_t>(variant.detail) << 7u;
     if (variants_[index] == nullptr) {
         variants_[index] = &programs_.get({.name = "gbuffer",
                                            .vertex = "mesh.vert.glsl",
@@ -60,6 +61,7 @@ const gl::Program& GBufferPass::program(Variant variant) {
                                                        {"EMISSION", variant.emissive ? "1" : "0"},
                                                        {"SPECULAR", variant.specular ? "1" : "0"},
                                                        {"TRANSMISSION", "0"},
+                                                       {"LIGHT_MAP", variant.light_mapped ? "1" : "0"},
                                                        {"GBUFFER_WIDE", gbuffer_define(variant.layout)},
                                                        {"SKINNED", variant.skinned ? "1" : "0"},
                                                        {"MORPHED", variant.morphed ? "1" : "0"}}});
@@ -72,7 +74,7 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
     const auto target = [&](GLenum format) {
         return gl::TextureDesc{.format = format, .size = resources.size_px()};
     };
-    const bool emissive = resources.frame.emissive;
+    const bool emissive = resources.frame.needs_emission;
     const GBufferLayout layout = resources.settings.gbuffer.layout;
     const bool wide = layout == GBufferLayout::wide;
     const bool depth_known = resources.depth.valid();
@@ -103,14 +105,15 @@ void GBufferPass::add(RenderGraph& graph, FrameResources& resources) {
             resources.counts += resources.opaque.draw(
                 resources.scene,
                 [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
+                    const assets::Material& look = resources.scene.material(material);
                     return program(
                         {.masked = pipeline.alpha == static_cast<std::uint8_t>(assets::AlphaMode::mask),
-                         .detail = surface_detail(resources.scene.material(material),
-                                                  resources.settings.detail.grade),
+                         .detail = surface_detail(look, resources.settings.detail.grade),
                          .emissive = emissive,
                          .skinned = pipeline.skinned,
                          .morphed = pipeline.morphed,
-                         .specular = has_specular_textures(resources.scene.material(material)),
+                         .specular = has_specular_textures(look),
+                         .light_mapped = emissive && assets::is_light_mapped(look),
                          .layout = layout});
                 });
         });

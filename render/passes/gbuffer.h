@@ -10,7 +10,7 @@
 namespace rambla::render {
 
 /// Draws the opaque and masked queue into the G-buffer (shaders/gbuffer_layout.glsl): depth, the targets of
-/// the chosen layout, and emission when the Frame says that something emits.
+/// the chosen layout, and emission when the Frame says that it is needed.
 class GBufferPass {
 public:
     explicit GBufferPass(gl::ProgramRegistry& programs) : programs_{programs} {}
@@ -19,7 +19,8 @@ public:
 
 private:
     /// Masked materials need a discard, which costs early depth; few materials have more than a base colour,
-    /// and texture filtering is what this pass costs; emission needs a target; few meshes deform.
+    /// and texture filtering is what this pass costs; emission and light maps need a target; few meshes
+    /// deform.
     struct Variant {
         bool masked = false;
         SurfaceDetail detail = SurfaceDetail::colour;
@@ -27,12 +28,13 @@ private:
         bool skinned = false;
         bool morphed = false;
         bool specular = false;
+        bool light_mapped = false;
         GBufferLayout layout = GBufferLayout::compact;
     };
     [[nodiscard]] const gl::Program& program(Variant variant);
 
     gl::ProgramRegistry& programs_;
-    std::array<const gl::Program*, 64 * k_surface_details> variants_{};
+    std::array<const gl::Program*, 128 * k_surface_details> variants_{};
 };
 
 /// Value of the shaders' define GBUFFER_WIDE.

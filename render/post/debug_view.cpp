@@ -66,6 +66,7 @@ const gl::Program& DebugViewPass::overdraw_program(bool skinned, bool morphed) {
                                               {"EMISSION", "0"},
                                               {"SPECULAR", "0"},
                                               {"TRANSMISSION", "0"},
+                                              {"LIGHT_MAP", "0"},
                                               {"SKINNED", skinned ? "1" : "0"},
                                               {"MORPHED", morphed ? "1" : "0"}}});
     }

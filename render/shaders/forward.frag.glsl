@@ -71,7 +71,11 @@ void main() {
     bool unlit = (m.flags & k_material_unlit) != 0u;
     radiance = unlit ? vec3(0.0) : radiance;
 #if EMISSION
-    radiance += kept_emission(unlit ? base.rgb : sample_emission(m));
+    vec3 emission = sample_emission(m);
+#if LIGHT_MAP
+    emission += s.diffuse * sample_light_map(m);
+#endif
+    radiance += kept_emission(unlit ? base.rgb : emission);
 #endif
 #if BLENDED
     float alpha = m.alpha_mode == k_alpha_blend ? clamp(base.a, 0.0, 1.0) : 1.0;

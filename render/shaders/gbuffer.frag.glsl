@@ -39,7 +39,11 @@ void main() {
 #endif
     out_surface = vec4(surface, 0.0);
 #if EMISSION
+    vec3 emission = sample_emission(m);
+#if LIGHT_MAP
+    emission += kept_diffuse(base.rgb, surface.y) * sample_light_map(m);
+#endif
     // The format knows neither sign nor overflow.
-    out_emission = clamp(unlit ? base.rgb : sample_emission(m), vec3(0.0), vec3(k_max_emission));
+    out_emission = clamp(unlit ? base.rgb : emission, vec3(0.0), vec3(k_max_emission));
 #endif
 }

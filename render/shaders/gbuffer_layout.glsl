@@ -2,7 +2,7 @@
 //   RT0 RGBA8            base colour, sRGB-encoded here (hardware's own encoding is slow, and rounds as it likes), root of a dielectric's reflectance (1: unlit)
 //   RT1 RG16             octahedral normal, world axes
 //   RT2 RGBA8            roughness, metalness, occlusion, reflector id (0: none)
-//   RT3 R11F_G11F_B10F   radiance of its own; exists only where something emits
+//   RT3 R11F_G11F_B10F   radiance of its own, and what it scatters of baked light; exists only where there is some
 // Wide, 36 bytes and depth: four targets of half floats (Fahlen 2005, "Illumination for Real-Time Rendering of Large
 // Architectural Environments", table 2.1) and the bytes that its materials do without. The normal map is kept
 // beside the normal, and applied when light is.
@@ -67,6 +67,11 @@ vec3 kept_normal(vec3 normal) {
 
 vec3 kept_albedo(vec3 albedo) {
     return albedo_from_stored(round(stored_albedo(albedo) * 255.0) / 255.0);
+}
+
+/// Of light from all around, the share that lighting will find to be scattered.
+vec3 kept_diffuse(vec3 albedo, float metalness) {
+    return kept_albedo(albedo) * (1.0 - kept_surface(vec3(metalness)).x);
 }
 
 float kept_reflectance(float dielectric_f0) {

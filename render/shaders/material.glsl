@@ -5,6 +5,7 @@
 //   EMISSION  1: emissive texture
 //   SPECULAR  1: textures of a dielectric's reflection
 //   TRANSMISSION  1: how much light goes through
+//   LIGHT_MAP  1: baked light
 #include "frame.glsl"
 #include "scene_buffers.glsl"
 #include "colour.glsl"
@@ -23,6 +24,9 @@ layout(binding = UNIT_SPECULAR) uniform sampler2D specular_texture;
 layout(binding = UNIT_SPECULAR_COLOUR) uniform sampler2D specular_colour_texture;
 #if TRANSMISSION
 layout(binding = UNIT_TRANSMISSION) uniform sampler2D transmission_texture;
+#endif
+#if LIGHT_MAP
+layout(binding = UNIT_LIGHT_MAP) uniform sampler2D light_map_texture;
 #endif
 #if DETAIL >= 3
 layout(binding = UNIT_HEIGHT) uniform sampler2D height_texture;
@@ -157,5 +161,12 @@ float sample_dielectric_f0(Material m) {
 /// being scattered.
 float sample_transmission(Material m) {
     return m.transmission.x * SAMPLE(transmission_texture, transmission_uv).r;
+}
+#endif
+
+#if LIGHT_MAP
+/// Radiance that a white Lambert surface would send because of baked light.
+vec3 sample_light_map(Material m) {
+    return m.transmission.y * SAMPLE(light_map_texture, light_map_uv).rgb;
 }
 #endif

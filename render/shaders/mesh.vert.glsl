@@ -59,4 +59,7 @@ void main() {
 #if TRANSMISSION
     varyings.transmission_uv = transformed_uv(m.transmission_uv, uv0, uv1);
 #endif
+#if LIGHT_MAP
+    varyings.light_map_uv = transformed_uv(m.light_map_uv, uv0, uv1);
+#endif
 }

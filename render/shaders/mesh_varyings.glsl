@@ -30,4 +30,7 @@ VARYING MeshVaryings {
 #if TRANSMISSION
     vec2 transmission_uv;
 #endif
+#if LIGHT_MAP
+    vec2 light_map_uv;
+#endif
 } varyings;

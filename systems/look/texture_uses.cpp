@@ -63,12 +63,12 @@ float sharpening(const assets::Sampler& sampler) {
 }
 
 /// The slots that shaders sample.
-std::array<const assets::TextureSlot*, 9> sampled_slots(const assets::Material& material) {
+std::array<const assets::TextureSlot*, 10> sampled_slots(const assets::Material& material) {
     return {&material.base_colour_texture,     &material.metalness_roughness_texture,
             &material.normal_texture,          &material.occlusion_texture,
             &material.emissive_texture,        &material.specular_texture,
             &material.specular_colour_texture, &material.height_texture,
-            &material.transmission_texture};
+            &material.transmission_texture,    &material.light_map_texture};
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const Mate
     instance_of_row_.assign(seen_by.size(), assets::k_none);
     pipeline_of_row_.resize(seen_by.size());
     frame.visible = {};
-    frame.emissive = false;
+    frame.needs_emission = false;
     frame.counts.visible = 0;
     frame.counts.casters = 0;
     for (std::uint32_t c = 0; c < culling.chunks().size(); ++c) {
@@ -111,8 +111,9 @@ void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const Mate
                         : opaque_key(DrawPass::surfaces, 0, pipeline, drawn.material, drawn.mesh, depth_m));
                 rows_.push_back(row);
                 ++frame.counts.visible;
-                frame.emissive |= unpack_pipeline(pipeline).unlit;
-                frame.emissive |= drawn.material < facts.shines.size() && facts.shines[drawn.material] != 0;
+                frame.needs_emission |= unpack_pipeline(pipeline).unlit;
+                frame.needs_emission |=
+                    drawn.material < facts.needs_emission.size() && facts.needs_emission[drawn.material] != 0;
             }
             if (casts) {
                 keys_.push_back(

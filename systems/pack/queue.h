@@ -15,7 +15,7 @@ namespace rambla::systems {
 /// Turns what was seen into the Frame's sorted queues. Keeps its memory.
 class PackQueues {
 public:
-    /// Replaces the Frame's instances, joints, morphs, batches, casters, `visible` and `emissive`.
+    /// Replaces the Frame's instances, joints, morphs, batches, casters, `visible` and `needs_emission`.
     /// @param forward  unit vector along the view: depth is measured along it
     void operator()(const Culling& culling, const Observer& observer, glm::vec3 forward,
                     const MaterialFacts& facts, const DeformationSource& deformed, Frame& frame);

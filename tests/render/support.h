@@ -179,7 +179,7 @@ private:
         frame.opaque.clear();
         frame.blended.clear();
         frame.casters = {};
-        frame.emissive = false;
+        frame.needs_emission = false;
         for (const Thing& thing : things)
             pack(thing);
     }
@@ -210,8 +210,8 @@ private:
         frame.visible.expand(box);
         const bool blended = assets::drawn_as(m) == assets::AlphaMode::blend;
         (blended ? frame.blended : frame.opaque).push_back(batch);
-        if (m.unlit || glm::dot(m.emissive, glm::vec3{1.0f}) > 0.0f)
-            frame.emissive = frame.emissive || !blended;
+        if (m.unlit || glm::dot(m.emissive, glm::vec3{1.0f}) > 0.0f || assets::is_light_mapped(m))
+            frame.needs_emission = frame.needs_emission || !blended;
         if (!thing.casts || blended) return;
         systems::CasterColumns& c = frame.casters;
         c.centre_x.push_back(box.centre().x);

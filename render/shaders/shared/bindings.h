@@ -27,8 +27,9 @@
 #define UNIT_SPECULAR_COLOUR 6
 #define UNIT_HEIGHT 7
 #define UNIT_TRANSMISSION 8
-#define UNIT_BESIDE_MATERIALS 9  // first of a pass's own, where it draws materials
-#define UNIT_PASS 0              // the same, where it draws none: OpenGL promises 16 units
+#define UNIT_LIGHT_MAP 9
+#define UNIT_BESIDE_MATERIALS 10  // first of a pass's own, where it draws materials
+#define UNIT_PASS 0               // the same, where it draws none: OpenGL promises 16 units
 
 // Vertex attributes of every mesh; missing columns hold neutral values.
 #define ATTRIBUTE_POSITION 0  // vec3, metres

@@ -43,11 +43,13 @@ struct Material {
     UvTransform specular_colour_uv;
     UvTransform height_uv;
     UvTransform transmission_uv;
-    vec4 transmission;  // x: share of a dielectric's light that goes through; yzw: padding
+    UvTransform light_map_uv;
+    vec4 transmission;  // x: share of a dielectric's light that goes through; y: factor of the light map; zw:
+                        // padding
 };
 SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(rambla::render::shared::Material) == 384);
+static_assert(sizeof(rambla::render::shared::Material) == 416);
 #endif
 #endif

@@ -68,6 +68,13 @@ assets::Scene all_kinds() {
         material.height_depth = 0.01f;
         add(material, 0);
     }
+    for (const auto mode : {assets::AlphaMode::opaque, assets::AlphaMode::mask, assets::AlphaMode::blend}) {
+        assets::Material material;
+        material.alpha_mode = mode;
+        material.metalness = 0.0f;
+        material.light_map_texture.texture = 0;
+        add(material, 0);
+    }
     add({}, 1);
     add({}, 2);
     model.parts.push_back({.mesh = 0, .material = assets::k_none});
@@ -80,7 +87,7 @@ TEST(WarmUp, DrawsEveryMaterialOnceForEachWayToDeform) {
     const assets::Scene scene = all_kinds();
     for (const FrameInput& input : warm_up_frames(scene, {})) {
         EXPECT_EQ(input.frame.opaque.size() + input.frame.blended.size(), scene.materials.size() + 1 + 3);
-        EXPECT_EQ(input.frame.blended.size(), 6u);
+        EXPECT_EQ(input.frame.blended.size(), 7u);
         EXPECT_EQ(input.frame.casters.size(), input.frame.opaque.size());
     }
 }
@@ -109,7 +116,7 @@ TEST(WarmUp, IsForTheSettingsThatFramesWillHave) {
         ASSERT_FALSE(lamps.empty());
         for (const bool emissive : {false, true}) {
             for (const bool lit : {false, true}) {
-                input.frame.emissive = emissive;
+                input.frame.needs_emission = emissive;
                 input.frame.lights = lit ? lamps : std::vector<systems::FrameLight>{};
                 renderer.draw(input);
             }
@@ -140,7 +147,7 @@ TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
             for (const auto taps : {ShadowTaps::four, ShadowTaps::sixteen}) {
                 for (std::size_t tone = 0; tone < k_tone_curves.size(); ++tone) {
                     for (std::size_t smoothing = 0; smoothing < k_anti_aliasing_methods.size(); ++smoothing) {
-                        input.frame.emissive = emissive;
+                        input.frame.needs_emission = emissive;
                         input.settings.shadows = {.method = method, .size_texels = 256, .taps = taps};
                         input.settings.tone.curve = static_cast<ToneCurve>(tone);
                         input.settings.anti_aliasing.method = static_cast<AntiAliasing>(smoothing);

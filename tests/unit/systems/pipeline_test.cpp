@@ -44,7 +44,7 @@ void expect_same_picture(const Frame& a, const Frame& b) {
     EXPECT_TRUE(same_bytes(a.casters.centre_x, b.casters.centre_x));
     EXPECT_TRUE(same_bytes(a.casters.centre_z, b.casters.centre_z));
     EXPECT_TRUE(same_bytes(a.casters.half_y, b.casters.half_y));
-    EXPECT_EQ(a.emissive, b.emissive);
+    EXPECT_EQ(a.needs_emission, b.needs_emission);
     EXPECT_EQ(a.view.view_from_world, b.view.view_from_world);
     EXPECT_EQ(a.view.clip_from_view, b.view.clip_from_view);
 }
@@ -179,10 +179,25 @@ TEST(BuildFrame, SaysWhetherSomethingVisibleShines) {
     Frame frame;
     Eye eye;
     build_frame(world, eye, 1.0f, frame);
-    EXPECT_FALSE(frame.emissive) << "the lamp is behind the camera";
+    EXPECT_FALSE(frame.needs_emission) << "the lamp is behind the camera";
     eye.rotation = glm::angleAxis(3.1415927f, glm::vec3{0, 1, 0});
     build_frame(world, eye, 1.0f, frame);
-    EXPECT_TRUE(frame.emissive);
+    EXPECT_TRUE(frame.needs_emission);
+}
+
+TEST(BuildFrame, LightMapsNeedWhatEmissionNeeds) {
+    assets::Scene scene = box_scene();
+    scene.nodes[add_node(scene, assets::k_none, {})].model = 0;
+    scene.materials[0].metalness = 0.0f;
+    for (const bool mapped : {false, true}) {
+        if (mapped) scene.materials[0].light_map_texture.texture = 0;
+        ecs::World world;
+        spawn(world, scene, {});
+        Frame frame;
+        build_frame(world, eye_at({0, 0, 10}), 1.0f, frame);
+        ASSERT_EQ(frame.opaque.size(), 1u);
+        EXPECT_EQ(frame.needs_emission, mapped);
+    }
 }
 
 TEST(BuildFrame, WithoutSunNothingThrowsShadows) {

@@ -252,7 +252,8 @@ TEST(TextureDemand, IsThatOfEverySlotThatShadersSample) {
     const int expected = textured.demand(eye_of({640, 480}));
     for (const auto slot :
          {&Material::metalness_roughness_texture, &Material::normal_texture, &Material::occlusion_texture,
-          &Material::emissive_texture, &Material::specular_texture, &Material::specular_colour_texture}) {
+          &Material::emissive_texture, &Material::specular_texture, &Material::specular_colour_texture,
+          &Material::light_map_texture}) {
         textured.processed.materials[0] = {};
         (textured.processed.materials[0].*slot).texture = 0;
         EXPECT_EQ(textured.demand(eye_of({640, 480})), expected);
