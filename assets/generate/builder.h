@@ -20,6 +20,11 @@ struct Frame {
 
     [[nodiscard]] glm::vec3 direction(glm::vec3 v) const { return right * v.x + up * v.y + out * v.z; }
     [[nodiscard]] glm::vec3 point(glm::vec3 p) const { return origin_m + direction(p); }
+    /// The inverse of point().
+    [[nodiscard]] glm::vec3 local(glm::vec3 p) const {
+        const glm::vec3 d = p - origin_m;
+        return {glm::dot(d, right), glm::dot(d, up), glm::dot(d, out)};
+    }
     /// The frame that `child`, given in this frame, is in the space that this frame is given in.
     [[nodiscard]] Frame operator*(const Frame& child) const {
         return {point(child.origin_m), direction(child.right), direction(child.up), direction(child.out)};

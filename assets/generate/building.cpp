@@ -63,6 +63,7 @@ std::vector<FacadeLight> build_row_house(Builder& b, float width, const FacadeSt
     for (FacadeLight& light : lights) {
         light.position_m.x -= half;
         light.window_m.x -= half;
+        light.wall.origin_m.x -= half;
     }
 
     const float back = -k_house_depth_m;
@@ -122,9 +123,12 @@ std::vector<FacadeLight> build_corner_house(Builder& b, const FacadeStyle& style
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const InFrame scope{b, sides[i].frame};
         b.group = outer_group + static_cast<std::uint32_t>(i);
-        for (const FacadeLight& light : build_facade(b, sides[i].site, style, draws))
-            lights.push_back({sides[i].frame.point(light.position_m), light.spot,
-                              sides[i].frame.point(light.window_m), light.window_shines});
+        for (FacadeLight& light : build_facade(b, sides[i].site, style, draws)) {
+            light.position_m = sides[i].frame.point(light.position_m);
+            light.window_m = sides[i].frame.point(light.window_m);
+            light.wall = sides[i].frame * light.wall;
+            lights.push_back(std::move(light));
+        }
     }
     b.group = outer_group;
 

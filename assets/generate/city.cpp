@@ -7,6 +7,7 @@
 
 #include "assets/generate/city_paths.h"
 #include "assets/generate/city_walk.h"
+#include "assets/generate/ground_light.h"
 #include "assets/generate/houses.h"
 #include "assets/generate/node.h"
 #include "assets/generate/people.h"
@@ -108,13 +109,51 @@ private:
         const std::uint32_t ground =
             add_model(place_.scene, "block-ground", store(place_.scene, builder.take("block-ground")),
                       palette_.standard);
+        const GroundCharts charts = block_ground_charts(plan_.street, light_texel_m());
         for (int j = 0; j < plan_.blocks_z; ++j) {
             for (int i = 0; i < plan_.blocks_x; ++i) {
                 const glm::vec2 centre = plan_.block_centre(i, j);
-                add_root("block-ground", ground, turned({centre.x, 0.0f, centre.y}, 0.0f));
+                const Frame at = turned({centre.x, 0.0f, centre.y}, 0.0f);
+                const std::uint32_t node = add_root("block-ground", ground, at);
                 add_block(i, j);
+                const std::vector<ShopWindow> shops = houses_.take_lit_shops();
+                place_.scene.nodes[node].model = lit_ground(ground, charts, at, shops);
             }
         }
+    }
+
+    /// The length of a light map's texel: small against the height of shop windows, unless the city is so
+    /// large that its light maps would take more than 64 MiB.
+    [[nodiscard]] float light_texel_m() const {
+        constexpr float k_fine_m = 0.25f;
+        constexpr double k_most_texels = 16 << 20;
+        const glm::uvec2 size = block_ground_charts(plan_.street, k_fine_m).size;
+        const double texels = static_cast<double>(size.x) * size.y * plan_.blocks_x * plan_.blocks_z;
+        return k_fine_m * static_cast<float>(std::sqrt(std::max(1.0, texels / k_most_texels)));
+    }
+
+    /// The model of a ground as shops light it, with meshes and materials of its own where light falls.
+    std::uint32_t lit_ground(std::uint32_t ground, const GroundCharts& charts, const Frame& at,
+                             std::span<const ShopWindow> shops) {
+        GroundLight light = bake_ground(charts, plan_.street, at, shops);
+        if (light.strength == 0.0f) return ground;
+        Scene& scene = place_.scene;
+        const std::uint32_t texture = add_light_map(scene, std::move(light.image));
+        Model model = scene.models[ground];
+        for (ModelPart& part : model.parts) {
+            if (part.material == palette_.standard[static_cast<std::size_t>(Surface::roof)]) continue;
+            Mesh mesh = scene.meshes[part.mesh];
+            add_light_coordinates(mesh, charts);
+            scene.meshes.push_back(std::move(mesh));
+            Material material = scene.materials[part.material];
+            material.light_map_texture = {.texture = texture, .uv_set = 1};
+            material.light_map_strength = light.strength;
+            scene.materials.push_back(std::move(material));
+            part = {static_cast<std::uint32_t>(scene.meshes.size() - 1),
+                    static_cast<std::uint32_t>(scene.materials.size() - 1)};
+        }
+        scene.models.push_back(std::move(model));
+        return static_cast<std::uint32_t>(scene.models.size() - 1);
     }
 
     void add_block(int i, int j) {
@@ -165,15 +204,21 @@ private:
                                           turned({high.x, 0.0f, low.y}, -k_quarter_rad),
                                           turned({high.x, 0.0f, high.y}, 2.0f * k_quarter_rad),
                                           turned({low.x, 0.0f, high.y}, k_quarter_rad)};
+        std::array<std::uint32_t, 4> grounds{};
+        std::vector<ShopWindow> shops;
+        const auto length_of = [&](std::size_t side) {
+            return (side & 1u) ? high.y - low.y : high.x - low.x;
+        };
         for (std::size_t side = 0; side < 4; ++side) {
             Draws draws{key_of(seed_, k_edges), side};
-            const float length = (side & 1u) ? high.y - low.y : high.x - low.x;
+            const float length = length_of(side);
             Builder builder;
             build_edge_ground(builder, plan_.street, length);
-            add_root("edge-ground",
-                     add_model(place_.scene, "edge-ground", store(place_.scene, builder.take("edge-ground")),
-                               palette_.standard),
-                     frames[side]);
+            grounds[side] =
+                add_root("edge-ground",
+                         add_model(place_.scene, "edge-ground",
+                                   store(place_.scene, builder.take("edge-ground")), palette_.standard),
+                         frames[side]);
             const Frame pavement = frames[side] * turned({0.0f, k_kerb_height_m, 0.0f}, 0.0f);
             // The last house overruns its corner, where the next side's row begins behind it.
             for (float x = 0.0f; x < length;) {
@@ -188,6 +233,16 @@ private:
                                      static_cast<float>(k) * plan_.street.pitch_m();
                 things_.furnish_side(pavement * turned({middle, 0.0f, 0.0f}, 0.0f), 50.0f, false, draws);
             }
+            for (ShopWindow& shop : houses_.take_lit_shops()) {
+                const glm::vec3 end = shop.wall.point({shop.opening.max.x, 0.0f, 0.0f});
+                if (frames[side].local(end).x < length) shops.push_back(std::move(shop));
+            }
+        }
+        // Once all stand: about corners, shops of two sides light the same ground.
+        for (std::size_t side = 0; side < 4; ++side) {
+            std::uint32_t& model = place_.scene.nodes[grounds[side]].model;
+            model = lit_ground(model, edge_ground_charts(plan_.street, length_of(side), light_texel_m()),
+                               frames[side], shops);
         }
     }
 

@@ -36,12 +36,28 @@ struct FacadeStyle {
 /// A style from the seeded family. What it looks like does not depend on the evening, only which panes shine.
 [[nodiscard]] FacadeStyle draw_style(Draws& draws, int upper_storeys, const Evening& evening);
 
-/// A light that belongs to a façade, in the builder's outermost frame.
+/// An opening in a wall at z = 0.
+struct Opening {
+    glm::vec2 min{0.0f};
+    glm::vec2 max{0.0f};
+};
+
+/// A part of a shop's pane that no frame covers.
+struct Glass {
+    Opening at;
+    glm::vec2 uv_min{0.0f};  ///< at the lower left corner
+    glm::vec2 uv_max{0.0f};
+};
+
+/// The light of a shop, in the builder's outermost frame.
 struct FacadeLight {
     glm::vec3 position_m{0.0f};
-    bool spot = false;          ///< shines downwards
-    glm::vec3 window_m{0.0f};   ///< before the middle of its shop's window
-    bool window_shines = true;  ///< onto the pavement, at night
+    bool spot = false;           ///< shines downwards
+    glm::vec3 window_m{0.0f};    ///< before the middle of its shop's window
+    bool window_shines = true;   ///< onto the pavement, at night
+    Opening opening{};           ///< of the shop, in `wall`
+    std::vector<Glass> glass{};  ///< k_reveal_m behind the opening
+    Frame wall{};                ///< of its façade
 };
 
 /// One façade of a building: from x = 0 to width in the builder's frame, pavement at y = 0, wall at z = 0.
@@ -58,12 +74,6 @@ struct FacadeSite {
                                                     const FacadeStyle& style, Draws& draws);
 
 // Pieces of a façade, one file each.
-
-/// An opening in a wall at z = 0.
-struct Opening {
-    glm::vec2 min{0.0f};
-    glm::vec2 max{0.0f};
-};
 
 /// How far windows, doors and shop fronts stand behind the wall.
 inline constexpr float k_reveal_m = 0.22f;

@@ -9,7 +9,6 @@ namespace rambla::assets::generate {
 namespace {
 
 constexpr float k_kerb_width_m = 0.20f;
-constexpr float k_gutter_m = 0.28f;
 constexpr float k_paint_lift_m = 0.02f;
 
 glm::vec3 lifted(glm::vec2 p, float y) {

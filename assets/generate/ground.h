@@ -26,6 +26,7 @@ struct StreetPlan {
 };
 
 inline constexpr float k_kerb_height_m = 0.12f;
+inline constexpr float k_gutter_m = 0.28f;
 
 /// Corners of a block's outline, pushed outwards by `offset_m`: counter-clockwise from above, centred at the
 /// origin. Corner 2k and 2k + 1 are the ends of side k; sides face +x, −z, −x, +z; chamfers lie between them.

@@ -34,7 +34,10 @@ Transform transform_of(const Frame& frame) {
 }
 
 Houses::Houses(Scene& scene, const Palette& palette, const Evening& evening, std::uint64_t seed)
-    : scene_{scene}, lamp_share_{evening.lamps_at_shops} {
+    : scene_{scene},
+      shop_pane_{palette.standard[static_cast<std::size_t>(Surface::shop_pane)]},
+      lamps_{evening.lamps},
+      lamp_share_{evening.lamps_at_shops} {
     struct Built {
         std::vector<Builder::Part> parts;
         std::vector<FacadeLight> lights;
@@ -59,8 +62,11 @@ Houses::Houses(Scene& scene, const Palette& palette, const Evening& evening, std
     row_houses_.resize(k_widths_m.size());
     for (std::size_t i = 0; i < built.size(); ++i) {
         auto& list = i < k_rows ? row_houses_[i / k_variants] : corner_houses_;
-        list.push_back(
-            {store(scene_, std::move(built[i].parts)), std::move(built[i].lights), built[i].style});
+        std::vector<std::vector<GlowingGlass>> glass;
+        for (const FacadeLight& light : built[i].lights)
+            glass.push_back(glowing(light));
+        list.push_back({store(scene_, std::move(built[i].parts)), std::move(built[i].lights),
+                        std::move(glass), built[i].style});
     }
     Draws draws{seed, built.size()};
     for (std::size_t i = 0; i < k_plaster_schemes; ++i)
@@ -72,6 +78,18 @@ Houses::Houses(Scene& scene, const Palette& palette, const Evening& evening, std
     if (evening.lamps > 0.0f)
         window_ =
             add_lamp(scene_, "shop-window", LightKind::point, k_shop_light, 0.45f * evening.lamps, 4.0f);
+}
+
+std::vector<GlowingGlass> Houses::glowing(const FacadeLight& light) const {
+    std::vector<GlowingGlass> result;
+    if (lamps_ == 0.0f || !light.window_shines) return result;
+    for (const Glass& glass : light.glass)
+        result.push_back({glass.at, lamps_ * mean_emission(scene_, shop_pane_, glass.uv_min, glass.uv_max)});
+    return result;
+}
+
+std::vector<ShopWindow> Houses::take_lit_shops() {
+    return std::exchange(lit_shops_, {});
 }
 
 void Houses::add_row_house(float width, const Frame& at, int most_storeys, Draws& draws) {
@@ -106,7 +124,9 @@ void Houses::add(const std::vector<House>& houses, int most_storeys, const char*
         if (down) local.rotation = {std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f};
         scene_.nodes[add_node(scene_, what, node, local)].light = light;
     };
-    for (const FacadeLight& light : house.lights) {
+    for (std::size_t i = 0; i < house.lights.size(); ++i) {
+        const FacadeLight& light = house.lights[i];
+        if (!house.glass[i].empty()) lit_shops_.push_back({at * light.wall, light.opening, house.glass[i]});
         if (window_ != k_none && light.window_shines) shine("shop-window", window_, light.window_m, false);
         if (!draws.chance(lamp_share_)) continue;
         shine(light.spot ? "shop-spot" : "shop-lamp", light.spot ? spot_ : lamp_, light.position_m,

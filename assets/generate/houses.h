@@ -6,6 +6,7 @@
 
 #include "assets/generate/building.h"
 #include "assets/generate/palette.h"
+#include "assets/generate/shop_light.h"
 
 namespace rambla::assets::generate {
 
@@ -24,16 +25,25 @@ public:
     /// Adds a corner house, the middle of its chamfer at the frame's origin.
     void add_corner_house(const Frame& at, int most_storeys, Draws& draws);
 
+    /// Hands out the shops that have been lit since the last call; none by day.
+    [[nodiscard]] std::vector<ShopWindow> take_lit_shops();
+
 private:
     struct House {
         std::vector<StoredPart> parts;
         std::vector<FacadeLight> lights;
+        std::vector<std::vector<GlowingGlass>> glass;  ///< of each of the lights; empty where it is dark
         FacadeStyle style;
     };
     void add(const std::vector<House>& houses, int most_storeys, const char* name, const Frame& at,
              Draws& draws);
 
+    /// What the pane of a shop shines with, as it is drawn, and less while lamps are still going on.
+    [[nodiscard]] std::vector<GlowingGlass> glowing(const FacadeLight& light) const;
+
     Scene& scene_;
+    std::uint32_t shop_pane_;                     ///< material of lit panes
+    float lamps_;                                 ///< see Evening
     float lamp_share_;                            ///< of shops, a lamp burns outside
     std::vector<std::vector<House>> row_houses_;  ///< by width
     std::vector<House> corner_houses_;
@@ -42,6 +52,7 @@ private:
     std::uint32_t lamp_ = k_none;
     std::uint32_t spot_ = k_none;
     std::uint32_t window_ = k_none;  ///< of a shop's bright window; k_none by day
+    std::vector<ShopWindow> lit_shops_;
 };
 
 /// The rotation and place of a level frame as a node's transform.

@@ -235,6 +235,12 @@ Palette add_palette(Scene& scene, const Evening& evening, std::uint64_t seed) {
     return palette;
 }
 
+std::uint32_t add_light_map(Scene& scene, Image image) {
+    const std::uint32_t texture = add_texture(scene, std::move(image), ColourSpace::srgb, true);
+    scene.textures[texture].sampler.mip = MipFilter::none;
+    return texture;
+}
+
 Scheme building_scheme(const Palette& palette, Draws& draws, bool brick) {
     Scheme scheme = palette.standard;
     const auto set = [&](Surface surface, std::uint32_t material) {

@@ -30,6 +30,10 @@ struct Palette {
 /// Adds textures and materials to the scene; what shines does so as it should at that time.
 [[nodiscard]] Palette add_palette(Scene& scene, const Evening& evening, std::uint64_t seed);
 
+/// Adds a picture as a light map, which ends where it ends. It has no mip levels: it is smooth, and its
+/// charts would run into each other.
+[[nodiscard]] std::uint32_t add_light_map(Scene& scene, Image image);
+
 /// Colours for one building.
 /// @param brick  walls of brick instead of plaster
 [[nodiscard]] Scheme building_scheme(const Palette& palette, Draws& draws, bool brick);

@@ -10,6 +10,40 @@ namespace {
 /// Cell of the shop pattern that suits each sign: books or boxes, loaves, clothes, a bar.
 constexpr std::array<std::uint32_t, k_sign_cells> k_goods{1, 0, 3, 0, 1, 3, 1, 2};
 
+constexpr float k_riser_m = 0.48f;  ///< below the window
+constexpr float k_bar_m = 0.07f;    ///< width of what stands, and of what lies across, a little more
+constexpr float k_rail_m = 0.08f;
+constexpr float k_transom_m = 0.55f;  ///< lower edge of the rail below the top lights, from the top
+/// Heights of the boards of a door.
+constexpr std::array<glm::vec2, 2> k_door_boards{{{0.02f, 0.32f}, {0.98f, 1.08f}}};
+
+/// What frames leave free of the pane that fills an opening.
+/// @param split  middle of the bar between door and window
+/// @param u_min, u_max  across the opening; v runs from 0.99 at its foot to 0.01
+std::vector<Glass> glass_of(const Opening& o, float split, bool door_left, float u_min, float u_max) {
+    std::vector<Glass> glass;
+    const auto uv = [&](glm::vec2 p) {
+        const glm::vec2 share = (p - o.min) / (o.max - o.min);
+        return glm::mix(glm::vec2{u_min, 0.99f}, glm::vec2{u_max, 0.01f}, share);
+    };
+    const auto add = [&](float x0, float x1, float y0, float y1) {
+        glass.push_back({{{x0, y0}, {x1, y1}}, uv({x0, y0}), uv({x1, y1})});
+    };
+    const float transom = o.max.y - k_transom_m;
+    for (const bool left : {true, false}) {
+        const float x0 = left ? o.min.x + k_bar_m : split + 0.5f * k_bar_m;
+        const float x1 = left ? split - 0.5f * k_bar_m : o.max.x - k_bar_m;
+        if (left == door_left) {
+            add(x0, x1, k_door_boards[0].y, k_door_boards[1].x);
+            add(x0, x1, k_door_boards[1].y, transom);
+        } else {
+            add(x0, x1, k_riser_m, transom);
+        }
+        add(x0, x1, transom + k_rail_m, o.max.y - k_rail_m);
+    }
+    return glass;
+}
+
 void build_awning(Builder& b, const Opening& o) {
     constexpr float k_reach = 1.05f;
     const float high = o.max.y - 0.02f;
@@ -66,8 +100,6 @@ void build_door(Builder& b, const Opening& o) {
 }
 
 FacadeLight build_shop_front(Builder& b, const Opening& o, const Evening& evening, Draws& draws) {
-    constexpr float k_riser = 0.48f;
-    constexpr float k_bar = 0.07f;
     const float z = -k_reveal_m;
     const float front = z + 0.06f;
     const std::uint32_t no_back = k_all_sides & ~k_side_back;
@@ -80,35 +112,43 @@ FacadeLight build_shop_front(Builder& b, const Opening& o, const Evening& evenin
     const float window_x0 = door_left ? split : o.min.x;
     const float window_x1 = door_left ? o.max.x : split;
 
-    b.box(Surface::shop_frame, {window_x0, 0.0f, z}, {window_x1, k_riser, front}, no_back);
+    b.box(Surface::shop_frame, {window_x0, 0.0f, z}, {window_x1, k_riser_m, front}, no_back);
     const std::uint32_t trade = draws.below(k_sign_cells);
     const std::uint32_t cell = k_goods[trade];
     const float u0 = (static_cast<float>(cell) + 0.01f) / static_cast<float>(k_shop_cells);
     const float u1 = (static_cast<float>(cell) + 0.99f) / static_cast<float>(k_shop_cells);
     b.picture(bright ? Surface::shop_pane : Surface::shop_pane_dark, {o.min.x, 0.0f, z}, {o.max.x, 0.0f, z},
               {o.max.x, o.max.y, z}, {o.min.x, o.max.y, z}, {u0, 0.99f}, {u1, 0.01f});
-    for (const float x : {o.min.x, split - 0.5f * k_bar, o.max.x - k_bar})
-        b.box(Surface::shop_frame, {x, 0.0f, z}, {x + k_bar, o.max.y, front + 0.02f}, no_back);
-    for (const float y : {o.max.y - 0.55f, o.max.y - 0.08f})
-        b.box(Surface::shop_frame, {o.min.x, y, z}, {o.max.x, y + 0.08f, front}, no_back);
-    const float door_x0 = door_left ? o.min.x + k_bar : split + 0.5f * k_bar;
-    const float door_x1 = door_left ? split - 0.5f * k_bar : o.max.x - k_bar;
-    b.panel(Surface::shop_frame, {door_x0, 0.02f}, {door_x1, 0.32f}, z + 0.03f);
-    b.panel(Surface::shop_frame, {door_x0, 0.98f}, {door_x1, 1.08f}, z + 0.03f);
+    for (const float x : {o.min.x, split - 0.5f * k_bar_m, o.max.x - k_bar_m})
+        b.box(Surface::shop_frame, {x, 0.0f, z}, {x + k_bar_m, o.max.y, front + 0.02f}, no_back);
+    for (const float y : {o.max.y - k_transom_m, o.max.y - k_rail_m})
+        b.box(Surface::shop_frame, {o.min.x, y, z}, {o.max.x, y + k_rail_m, front}, no_back);
+    const float door_x0 = door_left ? o.min.x + k_bar_m : split + 0.5f * k_bar_m;
+    const float door_x1 = door_left ? split - 0.5f * k_bar_m : o.max.x - k_bar_m;
+    for (const glm::vec2 board : k_door_boards)
+        b.panel(Surface::shop_frame, {door_x0, board.x}, {door_x1, board.y}, z + 0.03f);
 
     build_sign(b, o, trade);
     const bool awning = draws.chance(0.45f);
     if (awning) build_awning(b, o);
     const float centre = 0.5f * (o.min.x + o.max.x);
-    const glm::vec3 before_window{centre, 1.5f, 0.45f};
-    if (awning) return {{centre, o.max.y - 0.35f, 0.45f}, false, before_window, bright};
+    FacadeLight light{.window_m = {centre, 1.5f, 0.45f},
+                      .window_shines = bright,
+                      .opening = o,
+                      .glass = glass_of(o, split, door_left, u0, u1)};
+    if (awning) {
+        light.position_m = {centre, o.max.y - 0.35f, 0.45f};
+        return light;
+    }
     // A lamp on an arm over the entrance.
     b.box(Surface::iron, {centre - 0.02f, o.max.y + 0.72f, 0.0f}, {centre + 0.02f, o.max.y + 0.76f, 0.50f},
           no_back);
     b.box(Surface::iron, {centre - 0.09f, o.max.y + 0.66f, 0.38f}, {centre + 0.09f, o.max.y + 0.72f, 0.60f});
     b.box(Surface::lantern, {centre - 0.07f, o.max.y + 0.62f, 0.41f},
           {centre + 0.07f, o.max.y + 0.66f, 0.57f}, k_all_sides & ~k_side_top);
-    return {{centre, o.max.y + 0.56f, 0.49f}, true, before_window, bright};
+    light.position_m = {centre, o.max.y + 0.56f, 0.49f};
+    light.spot = true;
+    return light;
 }
 
 }  // namespace rambla::assets::generate
