@@ -53,8 +53,8 @@ struct Glass {
 struct FacadeLight {
     glm::vec3 position_m{0.0f};
     bool spot = false;           ///< shines downwards
-    glm::vec3 window_m{0.0f};    ///< before the middle of its shop's window
-    bool window_shines = true;   ///< onto the pavement, at night
+    glm::vec3 window_m{0.0f};    ///< before the lower edge of its shop's window
+    bool window_shines = true;
     Opening opening{};           ///< of the shop, in `wall`
     std::vector<Glass> glass{};  ///< k_reveal_m behind the opening
     Frame wall{};                ///< of its façade

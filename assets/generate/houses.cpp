@@ -75,9 +75,12 @@ Houses::Houses(Scene& scene, const Palette& palette, const Evening& evening, std
         brick_schemes_.push_back(building_scheme(palette, draws, true));
     lamp_ = add_lamp(scene_, "shop-lamp", LightKind::point, k_shop_light, 1.6f, 4.5f);
     spot_ = add_lamp(scene_, "shop-spot", LightKind::spot, k_shop_light, 4.0f, 6.0f);
-    if (evening.lamps > 0.0f)
-        window_ =
-            add_lamp(scene_, "shop-window", LightKind::point, k_shop_light, 0.45f * evening.lamps, 4.0f);
+    if (evening.lamps > 0.0f) {
+        // For what stands and walks before a window: it shines upwards, since the ground's share is baked.
+        window_ = add_lamp(scene_, "shop-window", LightKind::spot, k_shop_light, 0.45f * evening.lamps, 4.0f);
+        scene_.lights[window_].inner_cone_rad = 1.2f;
+        scene_.lights[window_].outer_cone_rad = 1.5f;
+    }
 }
 
 std::vector<GlowingGlass> Houses::glowing(const FacadeLight& light) const {
@@ -117,20 +120,23 @@ void Houses::add(const std::vector<House>& houses, int most_storeys, const char*
     const std::uint32_t node = add_node(scene_, name, k_none, transform_of(at));
     scene_.nodes[node].model = model->second;
     scene_.roots.push_back(node);
-    const auto shine = [&](const char* what, std::uint32_t light, glm::vec3 at_m, bool down) {
+    // Lights shine along −z; a quarter turn about x points that up or down.
+    const glm::quat level{1.0f, 0.0f, 0.0f, 0.0f};
+    const glm::quat down{std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f};
+    const glm::quat up{std::sqrt(0.5f), std::sqrt(0.5f), 0.0f, 0.0f};
+    const auto shine = [&](const char* what, std::uint32_t light, glm::vec3 at_m, const glm::quat& aim) {
         Transform local;
         local.translation_m = at_m;
-        // Lights shine along −z; a quarter turn about x points that down.
-        if (down) local.rotation = {std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f};
+        local.rotation = aim;
         scene_.nodes[add_node(scene_, what, node, local)].light = light;
     };
     for (std::size_t i = 0; i < house.lights.size(); ++i) {
         const FacadeLight& light = house.lights[i];
         if (!house.glass[i].empty()) lit_shops_.push_back({at * light.wall, light.opening, house.glass[i]});
-        if (window_ != k_none && light.window_shines) shine("shop-window", window_, light.window_m, false);
+        if (window_ != k_none && light.window_shines) shine("shop-window", window_, light.window_m, up);
         if (!draws.chance(lamp_share_)) continue;
         shine(light.spot ? "shop-spot" : "shop-lamp", light.spot ? spot_ : lamp_, light.position_m,
-              light.spot);
+              light.spot ? down : level);
     }
 }
 

@@ -132,7 +132,7 @@ FacadeLight build_shop_front(Builder& b, const Opening& o, const Evening& evenin
     const bool awning = draws.chance(0.45f);
     if (awning) build_awning(b, o);
     const float centre = 0.5f * (o.min.x + o.max.x);
-    FacadeLight light{.window_m = {centre, 1.5f, 0.45f},
+    FacadeLight light{.window_m = {centre, k_riser_m, 0.45f},
                       .window_shines = bright,
                       .opening = o,
                       .glass = glass_of(o, split, door_left, u0, u1)};

@@ -94,6 +94,19 @@ TEST(Evening, StreetLampsShineAtNightOnly) {
     }
 }
 
+TEST(Evening, LampsOfShopWindowsLeaveTheGroundToItsLightMap) {
+    const Scene night = generate_place(k_small, 1, k_night).scene;
+    for (const Node& node : night.nodes) {
+        if (node.light == k_none || night.lights[node.light].name != "shop-window") continue;
+        const Light& light = night.lights[node.light];
+        EXPECT_EQ(light.kind, LightKind::spot);
+        EXPECT_LT(light.outer_cone_rad, 1.5707963f);
+        const glm::vec3 aim = glm::mat3{matrix(node.local)} * glm::vec3{0, 0, -1};
+        EXPECT_NEAR(aim.y, 1.0f, 1e-6f);
+        EXPECT_GT(node.local.translation_m.y, 0.1f);
+    }
+}
+
 TEST(Evening, MoreWindowsAreLitInTheEveningAndFewAtThree) {
     const Scene day = generate_place(k_small, 1).scene;
     const Scene night = generate_place(k_small, 1, k_night).scene;
