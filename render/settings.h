@@ -36,16 +36,20 @@ inline constexpr std::array k_shadow_parameters{
 
 enum class LightingPath : std::uint8_t { fullscreen, volumes, clustered, tiled, forward };
 
+enum class LightVolume : std::uint8_t { quad, solid };
+
 /// How surfaces are lit. All paths give the same picture; they differ in what they cost.
 struct LightingParameters {
     LightingPath path = LightingPath::tiled;
     int tile_px = 64;
     int slices = 16;
+    LightVolume volume = LightVolume::quad;
     bool queries = false;
     bool prepass = false;
 };
 inline constexpr std::array<std::string_view, 5> k_lighting_paths{"fullscreen", "volumes", "clustered",
                                                                   "tiled", "forward"};
+inline constexpr std::array<std::string_view, 2> k_light_volumes{"quad", "solid"};
 inline constexpr std::array k_lighting_parameters{
     parameter<&LightingParameters::path>("lighting", k_lighting_paths,
                                          "How lights find the pixels that they reach."),
@@ -55,8 +59,11 @@ inline constexpr std::array k_lighting_parameters{
     parameter<&LightingParameters::slices>("slices", "", 1, 64,
                                            "clustered, forward and blending: depths that a tile's list of "
                                            "lights is divided into."),
+    parameter<&LightingParameters::volume>("volume", k_light_volumes,
+                                           "volumes: what is drawn for a light, a rectangle of the screen "
+                                           "or a sphere or cone."),
     parameter<&LightingParameters::queries>("queries", "", 0, 1,
-                                            "volumes: lights that are wholly hidden, by an occlusion query "
+                                            "volumes: lights that reach nothing seen, by an occlusion query "
                                             "each, are not drawn."),
     parameter<&LightingParameters::prepass>("prepass", "", 0, 1,
                                             "Depth is drawn alone first, so that hidden surfaces are not "

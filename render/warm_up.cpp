@@ -15,6 +15,7 @@ namespace {
 constexpr glm::uvec2 k_size_px{120, 56};
 constexpr float k_near_m = 0.1f;
 constexpr float k_light_distance_m = 2.0f;
+constexpr float k_light_radius_m = 0.3f;
 
 /// What picks programs and state, but for the settings.
 struct Look {
@@ -89,7 +90,7 @@ systems::Frame warm_up_frame(const assets::Scene& scene) {
     frame.view.clip_from_view[2].w = -1.0f;
     frame.view.clip_from_view[3].z = k_near_m;
     frame.environment = assets::noon();
-    frame.lights.push_back({.position_m = {-0.4f, 0.0f, -k_light_distance_m}, .radius_m = 0.3f});
+    frame.lights.push_back({.position_m = {-0.4f, 0.0f, -k_light_distance_m}, .radius_m = k_light_radius_m});
     frame.visible = {glm::vec3{-0.5f, -0.5f, -0.5f - k_light_distance_m},
                      glm::vec3{0.5f, 0.5f, 0.5f - k_light_distance_m}};
     frame.morphs.push_back({});
@@ -125,7 +126,11 @@ systems::Frame warm_up_frame(const assets::Scene& scene) {
 
 std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Settings& settings) {
     std::vector<FrameInput> inputs;
-    const systems::Frame frame = warm_up_frame(scene);
+    systems::Frame frame = warm_up_frame(scene);
+    const LightingParameters& lighting = settings.lighting;
+    // Solids are drawn in another state where the eye is inside.
+    if (lighting.path == LightingPath::volumes && lighting.volume == LightVolume::solid)
+        frame.lights.push_back({.radius_m = k_light_radius_m});
     for (const bool emissive : {false, true}) {
         constexpr std::size_t k_ways = 4;  // with and without a shadow, with and without lamps
         for (std::size_t i = 0; i < k_ways; ++i) {

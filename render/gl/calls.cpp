@@ -67,7 +67,8 @@ void take_all() {
 void count_calls() {
     take_all<CallKind::draw, &glBlitNamedFramebuffer, &glClearNamedBufferSubData, &glClearNamedFramebufferfv,
              &glDispatchCompute, &glDrawArrays, &glDrawArraysIndirect, &glDrawArraysInstanced,
-             &glDrawArraysInstancedBaseInstance, &glDrawElementsBaseVertex, &glInvalidateNamedFramebufferData,
+             &glDrawArraysInstancedBaseInstance, &glDrawElementsBaseVertex,
+             &glDrawElementsInstancedBaseVertexBaseInstance, &glInvalidateNamedFramebufferData,
              &glMultiDrawElementsIndirect>();
     take_all<CallKind::bind, &glBindBuffer, &glBindBufferBase, &glBindBufferRange, &glBindBuffersBase,
              &glBindFramebuffer, &glBindSampler, &glBindSamplers, &glBindTextureUnit, &glBindTextures,

@@ -10,6 +10,7 @@
 #include "render/passes/light_volumes.h"
 #include "render/passes/lighting.h"
 #include "render/passes/sky.h"
+#include "render/passes/solid_light_volumes.h"
 #include "render/post/debug_view.h"
 #include "render/post/fxaa.h"
 #include "render/post/hud.h"
@@ -42,15 +43,16 @@ struct PassList<First, Rest...> {
 };
 
 /// From geometry to scene colour. A new pass is one line here, and its own file.
-using ScenePasses = PassList<DepthPrePass,       //
-                             GBufferPass,        //
-                             FocusedShadowPass,  //
-                             ShadowResultPass,   //
-                             LightListsPass,     //
-                             LightingPass,       //
-                             LightVolumesPass,   //
-                             ForwardPass,        //
-                             SkyPass,            //
+using ScenePasses = PassList<DepthPrePass,           //
+                             GBufferPass,            //
+                             FocusedShadowPass,      //
+                             ShadowResultPass,       //
+                             LightListsPass,         //
+                             LightingPass,           //
+                             LightVolumesPass,       //
+                             SolidLightVolumesPass,  //
+                             ForwardPass,            //
+                             SkyPass,                //
                              BlendPass>;
 
 /// From scene colour to what is shown.

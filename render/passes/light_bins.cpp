@@ -14,9 +14,6 @@ constexpr float k_last_slice_begin_m = 256.0f;
 /// that end that close to a slice belong to it too.
 constexpr float k_slice_slack = 0.01f;
 
-/// Bounds of larger ones would lose all digits, or be no numbers at all.
-constexpr float k_farthest_light_m = 1e6f;
-
 /// The cells that a light touches; ends are included.
 struct CellBox {
     glm::uvec3 first{0};

@@ -17,6 +17,9 @@ struct BoundedLight {
     ScreenRectangle bounds;
 };
 
+/// Lights reach no farther than this: bounds of larger ones would lose all digits, or be no numbers at all.
+inline constexpr float k_farthest_light_m = 1e6f;
+
 /// Replaces `found` by the lights that can touch the picture, in their order.
 void bound_lights(const systems::FrameView& view, std::span<const systems::FrameLight> lights,
                   std::vector<BoundedLight>& found);

@@ -37,6 +37,11 @@ float clamped(double ndc) {
 
 }  // namespace
 
+double near_plane_z(const systems::FrameView& view) {
+    const glm::mat4& p = view.clip_from_view;
+    return view.orthographic ? (1.0 - p[3][2]) / p[2][2] : -p[3][2] / (1.0 + p[2][2]);
+}
+
 std::optional<ScreenRectangle> sphere_rectangle(const systems::FrameView& view, glm::vec3 centre_m,
                                                 float radius_m) {
     const glm::mat4& p = view.clip_from_view;
@@ -44,8 +49,7 @@ std::optional<ScreenRectangle> sphere_rectangle(const systems::FrameView& view, 
     const double radius = radius_m;
     const double nearest = centre.z + radius;
     const double farthest = centre.z - radius;
-    const double near_z = view.orthographic ? (1.0 - p[3][2]) / p[2][2] : -p[3][2] / (1.0 + p[2][2]);
-    if (farthest > near_z) return std::nullopt;
+    if (farthest > near_plane_z(view)) return std::nullopt;
 
     ScreenRectangle rectangle;
     for (int axis = 0; axis < 2; ++axis) {

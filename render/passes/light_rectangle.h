@@ -18,6 +18,10 @@ struct ScreenRectangle {
     float farthest_m = 0.0f;  ///< the same to its far side
 };
 
+/// Where the near plane lies in the eye's space; negative, but for orthographic views that also see behind
+/// the eye.
+[[nodiscard]] double near_plane_z(const systems::FrameView& view);
+
 /// Bounds of a sphere on the screen, exact but for what the near plane cuts off.
 ///
 /// Perspective, for each axis, seen from above with the eye at 0 and c = (x, d) the centre:

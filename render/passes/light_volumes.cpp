@@ -31,6 +31,7 @@ const gl::Program& LightVolumesPass::program(Brdf brdf, GBufferLayout layout) {
                                   .fragment = "light_volume.frag.glsl",
                                   .compute = {},
                                   .defines = {{"NEAR_SIDE", "0"},
+                                              {"MEETS_SKY", "0"},
                                               {"GBUFFER_WIDE", gbuffer_define(layout)},
                                               {"BRDF", std::to_string(static_cast<int>(brdf))}}});
     }
@@ -62,7 +63,8 @@ void LightVolumesPass::make_rectangles(const FrameResources& resources) {
 
 void LightVolumesPass::add(RenderGraph& graph, FrameResources& resources) {
     const LightingParameters& parameters = resources.settings.lighting;
-    if (parameters.path != LightingPath::volumes || resources.bounded_lights.empty()) return;
+    if (parameters.path != LightingPath::volumes || parameters.volume != LightVolume::quad) return;
+    if (resources.bounded_lights.empty()) return;
     make_rectangles(resources);
     const gl::Program& light = program(resources.settings.brdf.model, resources.settings.gbuffer.layout);
     if (parameters.queries) static_cast<void>(tester());

@@ -11,9 +11,9 @@
 
 namespace rambla::render {
 
-/// The lighting path `volumes`: adds the Frame's point and spot lights to `scene_colour`, one quad per light
-/// over its rectangle on the screen, as far away as the light reaches, so that the depth test leaves out what
-/// lies behind. Without lights that reach the screen there is no pass.
+/// The lighting path `volumes` with `quad`: adds the Frame's point and spot lights to `scene_colour`, one
+/// quad per light over its rectangle on the screen, as far away as the light reaches, so that the depth test
+/// leaves out what lies behind. Without lights that reach the screen there is no pass.
 ///
 /// With queries, a light's rectangle at its near side is tested first, and the light drawn only if some pixel
 /// lies behind that: hidden lights cost a query. The GPU, or the driver where it is no GPU, waits for each

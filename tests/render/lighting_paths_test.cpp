@@ -84,10 +84,14 @@ void furnish(Stage& stage) {
     }
 }
 
-Picture drawn_by(Stage& stage, render::LightingPath path, bool queries = false, bool prepass = false) {
+Picture drawn_by(Stage& stage, render::LightingPath path, bool prepass = false) {
     stage.settings.lighting.path = path;
-    stage.settings.lighting.queries = queries;
     stage.settings.lighting.prepass = prepass;
+    return stage.draw();
+}
+
+Picture drawn_by_volumes(Stage& stage, render::LightVolume volume, bool queries = false) {
+    stage.settings.lighting = {.path = render::LightingPath::volumes, .volume = volume, .queries = queries};
     return stage.draw();
 }
 
@@ -112,11 +116,27 @@ TEST(LightingPaths, ThatAddInTheTargetAgree) {
     // It decides by thresholds: a step of 1/255 may become one of many.
     stage.settings.anti_aliasing.method = render::AntiAliasing::none;
     const Picture all = drawn_by(stage, render::LightingPath::fullscreen);
-    for (const bool queries : {false, true}) {
-        // A half float has 11 bits: each of the lights that overlap rounds the sum once more.
-        const Difference found = difference(all, drawn_by(stage, render::LightingPath::volumes, queries));
-        EXPECT_LE(found.largest, 2) << queries;
-        EXPECT_LE(found.beyond_one_pct, 0.01) << queries;
+    for (const render::LightVolume volume : {render::LightVolume::quad, render::LightVolume::solid}) {
+        for (const bool queries : {false, true}) {
+            const std::string way{render::k_light_volumes[static_cast<std::size_t>(volume)]};
+            // A half float has 11 bits: each of the lights that overlap rounds the sum once more.
+            const Difference found = difference(all, drawn_by_volumes(stage, volume, queries));
+            EXPECT_LE(found.largest, 2) << way << queries;
+            EXPECT_LE(found.beyond_one_pct, 0.01) << way << queries;
+        }
+    }
+}
+
+TEST(LightingPaths, ThatAddInTheTargetAgreeInAFlatView) {
+    Stage stage;
+    furnish(stage);
+    stage.look_flat(stage.eye, {0, 1, 0}, 4.0f);
+    stage.settings.anti_aliasing.method = render::AntiAliasing::none;
+    const Picture all = drawn_by(stage, render::LightingPath::fullscreen);
+    for (const render::LightVolume volume : {render::LightVolume::quad, render::LightVolume::solid}) {
+        const Difference found = difference(all, drawn_by_volumes(stage, volume));
+        EXPECT_LE(found.largest, 2) << static_cast<int>(volume);
+        EXPECT_LE(found.beyond_one_pct, 0.01) << static_cast<int>(volume);
     }
 }
 
@@ -126,14 +146,14 @@ TEST(LightingPaths, ForwardKeepsWhatTheGBufferKeeps) {
     stage.settings.anti_aliasing.method = render::AntiAliasing::none;
     const Picture all = drawn_by(stage, render::LightingPath::fullscreen);
     for (const bool prepass : {false, true}) {
-        const Picture forward = drawn_by(stage, render::LightingPath::forward, false, prepass);
+        const Picture forward = drawn_by(stage, render::LightingPath::forward, prepass);
         const Difference found = difference(all, forward);
         EXPECT_LE(found.largest, 4) << prepass;
         EXPECT_LE(found.beyond_one_pct, 0.01) << prepass;
         EXPECT_FALSE(forward.has_pass("gbuffer"));
         EXPECT_EQ(forward.has_pass("depth pre-pass"), prepass);
     }
-    EXPECT_EQ(drawn_by(stage, render::LightingPath::fullscreen, false, true).bytes, all.bytes)
+    EXPECT_EQ(drawn_by(stage, render::LightingPath::fullscreen, true).bytes, all.bytes)
         << "a pre-pass changes no deferred picture";
 }
 
@@ -160,7 +180,8 @@ TEST(LightingPaths, ShowTheSamePictureFromAWideGBuffer) {
     EXPECT_LE(found.beyond_one_pct, 1.0);
     EXPECT_EQ(drawn_by(stage, render::LightingPath::clustered).bytes, wide.bytes);
     EXPECT_EQ(drawn_by(stage, render::LightingPath::tiled).bytes, wide.bytes);
-    EXPECT_LE(difference(drawn_by(stage, render::LightingPath::volumes), wide).largest, 2);
+    for (const render::LightVolume volume : {render::LightVolume::quad, render::LightVolume::solid})
+        EXPECT_LE(difference(drawn_by_volumes(stage, volume), wide).largest, 2);
 }
 
 TEST(LightingPaths, ShowThePlaceBeyondWhatHalfFloatsHoldFromAWideGBuffer) {

@@ -63,6 +63,16 @@ TEST(UnusedEffects, LeaveTheFrameAsItWasToTheCallAndTheByte) {
             });
     }
     changes_and_comes_back(
+        "solid volumes",
+        [&] {
+            stage.frame.lights = {lamp};
+            settings.lighting = {.path = render::LightingPath::volumes, .volume = render::LightVolume::solid};
+        },
+        [&] {
+            stage.frame.lights.clear();
+            settings.lighting = {};
+        });
+    changes_and_comes_back(
         "pre-pass", [&] { settings.lighting.prepass = true; }, [&] { settings.lighting.prepass = false; });
     changes_and_comes_back(
         "no shadows", [&] { settings.shadows.method = render::ShadowMethod::off; },
@@ -73,6 +83,22 @@ TEST(UnusedEffects, LeaveTheFrameAsItWasToTheCallAndTheByte) {
     changes_and_comes_back(
         "overdraw", [&] { settings.debug.view = render::DebugView::overdraw; },
         [&] { settings.debug.view = render::DebugView::off; });
+}
+
+TEST(UnusedEffects, SolidVolumesAreMadeWhenTheyAreChosen) {
+    Stage stage;
+    stage.place(stage.square(), stage.material(matte()), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    stage.frame.lights = {
+        {.position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 1.5f, .intensity = glm::vec3{5.0f}}};
+    stage.settings.lighting.path = render::LightingPath::volumes;
+    static_cast<void>(stage.draw());
+    const auto objects = [&] {
+        static_cast<void>(settled(stage));
+        return stage.redraw().gl_objects;
+    };
+    const std::uint32_t quads = objects();
+    stage.settings.lighting.volume = render::LightVolume::solid;
+    EXPECT_EQ(objects(), quads + 4) << "vertices, indices, their array, a program";
 }
 
 TEST(UnusedEffects, ALampOutOfViewCostsNoCall) {

@@ -53,7 +53,7 @@ struct LightingPathsProgram : testing::Test {
     void expect_one_picture(const std::vector<std::string>& scene) {
         walk("fullscreen", scene);
         const assets::Image all = picture(scratch.path() / "fullscreen/frame_0000.png");
-        for (const std::string path : {"volumes", "clustered", "tiled", "forward"}) {
+        for (const std::string path : {"volumes", "volumes:volume=solid", "clustered", "tiled", "forward"}) {
             walk(path, scene);
             const assets::Image other = picture(scratch.path() / path / "frame_0000.png");
             ASSERT_EQ(other.width, all.width);

@@ -72,6 +72,8 @@ std::vector<Way> ways(std::uint32_t lights) {
     if (lights <= k_most_unculled_lights) {
         all.push_back(way("fullscreen", LightingPath::fullscreen));
         all.push_back(way("volumes", LightingPath::volumes));
+        all.push_back(way("volumes, solid", LightingPath::volumes));
+        all.back().settings.lighting.volume = render::LightVolume::solid;
     }
     all.push_back(way("clustered", LightingPath::clustered));
     all.push_back(way("tiled", LightingPath::tiled));

@@ -38,7 +38,7 @@ std::string line(const Setting& setting, std::string_view what,
     std::string text = fmt::format("{:<26}", what);
     for (const WayCost& cost : setting.costs) {
         const std::optional<double> found = value(cost);
-        text += found ? fmt::format("{:>14.2f}", *found) : fmt::format("{:>14}", "-");
+        text += found ? fmt::format("{:>16.2f}", *found) : fmt::format("{:>16}", "-");
     }
     return text + "\n";
 }
@@ -80,7 +80,7 @@ std::string to_text(const Setting& setting) {
     text += fmt::format("{:<26}", "pass");
     std::set<std::string> names;
     for (const WayCost& cost : setting.costs) {
-        text += fmt::format("{:>14}", cost.name);
+        text += fmt::format("{:>16}", cost.name);
         for (const auto& [name, ms] : cost.passes)
             names.insert(name);
     }

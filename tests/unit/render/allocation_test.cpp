@@ -53,19 +53,23 @@ TEST(Renderer, AllocatesNothingInASteadyFrame) {
     Renderer renderer{options};
     const assets::Scene scene = one_mesh();
     renderer.upload(scene, *tests::quick_process(scene));
-    const FrameInput input = one_triangle();
-    std::vector<FrameOutput> outputs;
-    std::size_t last = 1;
-    for (int frame = 0; frame < 12; ++frame) {
-        const std::size_t before = test::allocation_count_of_this_thread();
-        renderer.draw(input);
-        last = test::allocation_count_of_this_thread() - before;
-        renderer.take_finished(outputs, true);  // the outputs are the caller's, and so is their memory
+    FrameInput input = one_triangle();
+    for (const LightingPath path : {LightingPath::tiled, LightingPath::volumes}) {
+        input.settings.lighting.path = path;
+        input.settings.lighting.volume = LightVolume::solid;
+        std::vector<FrameOutput> outputs;
+        std::size_t last = 1;
+        for (int frame = 0; frame < 12; ++frame) {
+            const std::size_t before = test::allocation_count_of_this_thread();
+            renderer.draw(input);
+            last = test::allocation_count_of_this_thread() - before;
+            renderer.take_finished(outputs, true);  // the outputs are the caller's, and so is their memory
+        }
+        EXPECT_EQ(last, 0u) << static_cast<int>(path);
+        ASSERT_EQ(outputs.size(), 12u);
+        EXPECT_GE(outputs.back().feedback.draws, 2u) << "the triangle was drawn, and its shadow";
+        EXPECT_GE(outputs.back().feedback.triangles, 2u);
     }
-    EXPECT_EQ(last, 0u);
-    ASSERT_EQ(outputs.size(), 12u);
-    EXPECT_GE(outputs.back().feedback.draws, 2u) << "the triangle was drawn, and its shadow";
-    EXPECT_GE(outputs.back().feedback.triangles, 2u);
 }
 
 }  // namespace

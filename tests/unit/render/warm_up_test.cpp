@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <memory>
 
+#include "render/passes/light_hull.h"
 #include "render/renderer.h"
 #include "support/quick_process.h"
 
@@ -94,7 +96,10 @@ TEST(WarmUp, DrawsEveryMaterialOnceForEachWayToDeform) {
 
 TEST(WarmUp, IsForTheSettingsThatFramesWillHave) {
     const assets::Scene scene = all_kinds();
-    for (std::size_t path = 0; path < k_lighting_paths.size(); ++path) {
+    constexpr std::size_t k_ways = k_lighting_paths.size() + 1;  // the last one: volumes that are solid
+    for (std::size_t way = 0; way < k_ways; ++way) {
+        const bool solid = way + 1 == k_ways;
+        const std::size_t path = solid ? static_cast<std::size_t>(LightingPath::volumes) : way;
         auto texts = std::make_shared<std::atomic<int>>(0);
         RenderThreadOptions options;
         options.gl_errors_throw = true;
@@ -104,6 +109,7 @@ TEST(WarmUp, IsForTheSettingsThatFramesWillHave) {
         };
         options.compile_for.lighting.path = static_cast<LightingPath>(path);
         options.compile_for.lighting.prepass = path % 2 == 1;
+        options.compile_for.lighting.volume = solid ? LightVolume::solid : LightVolume::quad;
         options.compile_for.gbuffer.layout = GBufferLayout::wide;
         options.compile_for.brdf.model = Brdf::blinn;
         options.compile_for.detail.grade = static_cast<DetailGrade>(path % k_detail_grades.size());
@@ -121,8 +127,19 @@ TEST(WarmUp, IsForTheSettingsThatFramesWillHave) {
                 renderer.draw(input);
             }
         }
-        EXPECT_EQ(*texts, compiled) << k_lighting_paths[path];
+        EXPECT_EQ(*texts, compiled) << k_lighting_paths[path] << (solid ? ", solid" : "");
     }
+}
+
+TEST(WarmUp, DrawsSolidVolumesFromOutsideAndFromInside) {
+    Settings settings;
+    settings.lighting.path = LightingPath::volumes;
+    settings.lighting.volume = LightVolume::solid;
+    const FrameInput input = warm_up_frames(all_kinds(), settings).front();
+    std::array<int, 2> lights{};
+    for (std::uint32_t i = 0; i < input.frame.lights.size(); ++i)
+        ++lights[reaches_near_plane(input.frame.view, light_hull(input.frame.lights[i], i)) ? 1 : 0];
+    EXPECT_EQ(lights, (std::array{1, 1}));
 }
 
 TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
