@@ -4,7 +4,6 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
-#include <optional>
 #include <type_traits>
 
 namespace rambla::assets::gltf {
@@ -92,7 +91,7 @@ void with_component(int type, bool normalised, const Use& use) {
 template <class Compute>
 class ComputedIterator {
 public:
-    using iterator_category = std::random_access_iterator_tag;
+    using iterator_category = std::forward_iterator_tag;
     using value_type = std::remove_cvref_t<std::invoke_result_t<const Compute&, std::uint64_t>>;
     using difference_type = std::ptrdiff_t;
     using pointer = void;
@@ -104,15 +103,19 @@ public:
         ++index_;
         return *this;
     }
-    difference_type operator-(const ComputedIterator& other) const {
-        return static_cast<difference_type>(index_ - other.index_);
-    }
     bool operator==(const ComputedIterator& other) const { return index_ == other.index_; }
 
 private:
     Compute compute_;
     std::uint64_t index_;
 };
+
+/// Appends compute(begin), compute(begin + 1) ... compute(end − 1).
+template <class T, class Compute>
+void append_computed(std::vector<T>& values, std::uint64_t begin, std::uint64_t end, const Compute& compute) {
+    using Iterator = ComputedIterator<Compute>;
+    values.insert(values.end(), Iterator{compute, begin}, Iterator{compute, end});
+}
 
 /// compute(0), compute(1) ... compute(size − 1)
 template <class Compute>
@@ -121,14 +124,35 @@ auto computed(std::uint64_t size, const Compute& compute) {
     return std::vector<typename Iterator::value_type>(Iterator{compute, 0}, Iterator{compute, size});
 }
 
-/// Values that lie one after the other in a buffer, in a copy of which the compiler makes a block move or a
-/// loop over vectors, as it does not of a load for each. Nothing where the buffer is not aligned for them.
-template <class To, class From>
-std::optional<std::vector<To>> in_one_piece(const unsigned char* bytes, std::uint64_t size) {
-    static_assert(std::is_trivially_copyable_v<From>);
-    if (reinterpret_cast<std::uintptr_t>(bytes) % alignof(From) != 0) return std::nullopt;
-    const auto* const first = reinterpret_cast<const From*>(bytes);
-    return std::vector<To>(first, first + size);
+/// Values that lie one after the other in a buffer, of a copy of which the compiler makes a block move or a
+/// loop over vectors, as it does not of a load for each. Null where the buffer is not aligned for them.
+template <class T>
+const T* in_a_row(const unsigned char* bytes) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (reinterpret_cast<std::uintptr_t>(bytes) % alignof(T) != 0) return nullptr;
+    return reinterpret_cast<const T*>(bytes);
+}
+
+/// Values of a piece: at most 8 KiB, so that it and what it is copied from fit the nearest cache together.
+constexpr std::uint64_t k_piece = 512;
+
+/// Calls append(begin, end), which makes `values` longer, for piece after piece of [0, size), each followed
+/// by finish(piece, begin).
+template <class T, class Append, class Finished>
+void append_pieces(std::vector<T>& values, std::uint64_t size, const Append& append, const Finished& finish) {
+    values.reserve(size);
+    for (std::uint64_t begin = 0; begin < size; begin += k_piece) {
+        append(begin, std::min(begin + k_piece, size));
+        finish(std::span{values}.subspan(begin), begin);
+    }
+}
+
+template <class T>
+T largest_of(std::span<const T> indices) {
+    T largest = 0;
+    for (const T index : indices)
+        largest = std::max(largest, index);
+    return largest;
 }
 
 bool is_index_type(int type) {
@@ -242,20 +266,30 @@ std::vector<std::uint32_t> AccessorReader::sparse_indices() const {
 
 template <int N>
 std::vector<glm::vec<N, float>> AccessorReader::read(std::span<const std::uint32_t> gather, float missing,
-                                                     bool always_normalise) const {
+                                                     bool always_normalise, const Finish<N>& finish) const {
     using Vector = glm::vec<N, float>;
     const std::uint64_t size = gather.empty() ? count_ : gather.size();
     const std::vector<std::uint32_t> replaced = sparse_indices();
     std::vector<Vector> values;
+    const auto append_all = [&](const auto& append) {
+        append_pieces(values, size, append, [&](std::span<Vector> piece, std::uint64_t begin) {
+            if (sparse_count_ == 0) finish(piece, begin);
+        });
+    };
     const auto fill = [&](const auto& element) {
         const Bytes base = base_;
         if (base.first == nullptr)
             values.assign(size, Vector{0.0f});
-        else if (gather.empty())
-            values = computed(size, [&](std::uint64_t i) { return element(base.first + i * base.stride); });
         else
-            values = computed(size,
-                              [&](std::uint64_t i) { return element(base.first + gather[i] * base.stride); });
+            append_all([&](std::uint64_t begin, std::uint64_t end) {
+                if (gather.empty())
+                    append_computed(values, begin, end,
+                                    [&](std::uint64_t i) { return element(base.first + i * base.stride); });
+                else
+                    append_computed(values, begin, end, [&](std::uint64_t i) {
+                        return element(base.first + gather[i] * base.stride);
+                    });
+            });
         for (std::uint64_t i = 0; i < sparse_count_; ++i) {
             // A gather is sorted and holds each element once.
             const auto found = std::lower_bound(gather.begin(), gather.end(), replaced[i]);
@@ -263,6 +297,7 @@ std::vector<glm::vec<N, float>> AccessorReader::read(std::span<const std::uint32
             const auto at = gather.empty() ? replaced[i] : static_cast<std::uint64_t>(found - gather.begin());
             if (kept) values[at] = element(sparse_values_.first + i * sparse_values_.stride);
         }
+        if (base.first == nullptr || sparse_count_ > 0) finish(values, 0);
     };
     if (is_float() && components_ >= N) {
         const auto element = [](const unsigned char* bytes) {
@@ -271,10 +306,13 @@ std::vector<glm::vec<N, float>> AccessorReader::read(std::span<const std::uint32
             return value;
         };
         const bool packed = base_.first != nullptr && base_.stride == sizeof(Vector);
-        if (packed && gather.empty() && sparse_count_ == 0)
-            if (std::optional<std::vector<Vector>> whole = in_one_piece<Vector, Vector>(base_.first, size))
-                return *std::move(whole);
-        fill(element);
+        const bool as_it_is = packed && gather.empty() && sparse_count_ == 0;
+        if (const Vector* const row = as_it_is ? in_a_row<Vector>(base_.first) : nullptr)
+            append_all([&](std::uint64_t begin, std::uint64_t end) {
+                values.insert(values.end(), row + begin, row + end);
+            });
+        else
+            fill(element);
         return values;
     }
     with_component(component_type_, normalised_ || always_normalise, [&](auto read_component) {
@@ -295,9 +333,12 @@ std::vector<glm::vec<N, float>> AccessorReader::read(std::span<const std::uint32
     return values;
 }
 
-template std::vector<glm::vec2> AccessorReader::read<2>(std::span<const std::uint32_t>, float, bool) const;
-template std::vector<glm::vec3> AccessorReader::read<3>(std::span<const std::uint32_t>, float, bool) const;
-template std::vector<glm::vec4> AccessorReader::read<4>(std::span<const std::uint32_t>, float, bool) const;
+template std::vector<glm::vec2> AccessorReader::read<2>(std::span<const std::uint32_t>, float, bool,
+                                                        const Finish<2>&) const;
+template std::vector<glm::vec3> AccessorReader::read<3>(std::span<const std::uint32_t>, float, bool,
+                                                        const Finish<3>&) const;
+template std::vector<glm::vec4> AccessorReader::read<4>(std::span<const std::uint32_t>, float, bool,
+                                                        const Finish<4>&) const;
 
 std::vector<float> AccessorReader::read_floats(std::uint64_t elements, bool always_normalise) const {
     const std::uint64_t size = std::min(elements, count_);
@@ -325,19 +366,31 @@ std::vector<float> AccessorReader::read_floats(std::uint64_t elements, bool alwa
     return values;
 }
 
-std::vector<std::uint32_t> AccessorReader::read_indices() const {
+IndexColumn AccessorReader::read_indices() const {
     if (components_ != 1 || !is_index_type(component_type_))
         document_.fail(element_,
                        std::to_string(components_) + " components of type " + std::to_string(component_type_),
                        std::string{"scalars of type "}.append(k_index_types));
-    std::vector<std::uint32_t> indices;
+    IndexColumn column;
+    std::vector<std::uint32_t>& indices = column.indices;
     const auto fill = [&]<class T>(T) {
         const Bytes base = base_;
-        std::optional<std::vector<std::uint32_t>> whole;
-        if (base.stride == sizeof(T)) whole = in_one_piece<std::uint32_t, T>(base.first, count_);
-        indices = whole ? *std::move(whole) : computed(count_, [&](std::uint64_t i) {
-            return static_cast<std::uint32_t>(load<T>(base.first + i * base.stride));
-        });
+        const T* const row = base.stride == sizeof(T) ? in_a_row<T>(base.first) : nullptr;
+        const auto append = [&](std::uint64_t begin, std::uint64_t end) {
+            if (row != nullptr)
+                indices.insert(indices.end(), row + begin, row + end);
+            else
+                append_computed(indices, begin, end, [&](std::uint64_t i) {
+                    return static_cast<std::uint32_t>(load<T>(base.first + i * base.stride));
+                });
+        };
+        append_pieces(
+            indices, count_, append, [&](std::span<const std::uint32_t> piece, std::uint64_t begin) {
+                // Of small types, more go into a register.
+                const std::uint32_t largest =
+                    row != nullptr ? largest_of(std::span{row + begin, piece.size()}) : largest_of(piece);
+                column.largest = std::max(column.largest, largest);
+            });
     };
     if (base_.first == nullptr)
         indices.assign(count_, 0);
@@ -347,10 +400,12 @@ std::vector<std::uint32_t> AccessorReader::read_indices() const {
         fill(std::uint16_t{});
     else
         fill(std::uint32_t{});
+    if (sparse_count_ == 0) return column;
     const std::vector<std::uint32_t> replaced = sparse_indices();
     for (std::uint64_t i = 0; i < sparse_count_; ++i)
         indices[replaced[i]] = load_index(sparse_values_.first + i * sparse_values_.stride, component_type_);
-    return indices;
+    column.largest = largest_of(std::span<const std::uint32_t>{indices});
+    return column;
 }
 
 }  // namespace rambla::assets::gltf

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
@@ -10,6 +11,18 @@
 #include "assets/import/gltf_document.h"
 
 namespace rambla::assets::gltf {
+
+/// Takes vectors of a column that have just been read, and may change them: where the piece begins in the
+/// column comes with it. Pieces are small enough to be in the nearest cache still, which a second pass over
+/// the whole column would have to fetch again.
+template <int N>
+using Finish = std::function<void(std::span<glm::vec<N, float>> piece, std::size_t first)>;
+
+/// Indices, and the largest of them: 0 where there are none.
+struct IndexColumn {
+    std::vector<std::uint32_t> indices;
+    std::uint32_t largest = 0;
+};
 
 /// Typed reading of one accessor: any component type, interleaved, sparse, or without a buffer view (zeros).
 /// The constructor checks every offset, count and stride in 64 bits, so that reading cannot leave the buffer.
@@ -28,16 +41,16 @@ public:
     /// Integers become what `normalised` of the accessor says, or [0, 1] and [−1, 1] when `always_normalise`
     /// is set. Components that the accessor lacks are `missing`; surplus ones are dropped.
     /// @param gather  the elements to read, ascending, each below count(); empty means all
+    /// @param finish  called for each vector once, in pieces that follow one another
     template <int N>
-    [[nodiscard]] std::vector<glm::vec<N, float>> read(std::span<const std::uint32_t> gather,
-                                                       float missing = 0.0f,
-                                                       bool always_normalise = false) const;
+    [[nodiscard]] std::vector<glm::vec<N, float>> read(std::span<const std::uint32_t> gather, float missing,
+                                                       bool always_normalise, const Finish<N>& finish) const;
 
     /// The first `elements`, at most count(), with all their components one after the other.
     [[nodiscard]] std::vector<float> read_floats(std::uint64_t elements, bool always_normalise = false) const;
 
     /// Scalars of an unsigned type, all in order. @throws Error  for other types
-    [[nodiscard]] std::vector<std::uint32_t> read_indices() const;
+    [[nodiscard]] IndexColumn read_indices() const;
 
 private:
     struct Bytes {

@@ -91,9 +91,10 @@ private:
     bool has(const char* name) const { return attribute(primitive_.attributes, name) >= 0; }
 
     template <int N>
-    std::vector<glm::vec<N, float>> read(const char* name, const AttributeForm& form = {}) {
+    std::vector<glm::vec<N, float>> read(const char* name, const AttributeForm& form = {},
+                                         const Rule<N>& rule = {}) {
         return reader_.read<N>(attribute(primitive_.attributes, name), std::string{"attributes."} + name,
-                               form);
+                               form, rule);
     }
 
     void read_topology() {
@@ -102,8 +103,9 @@ private:
         if (primitive_.indices >= 0) {
             const AccessorReader source{document_, primitive_.indices, element};
             document_.spend(element, source.count());
-            indices = source.read_indices();
-            check_range(indices, element);
+            IndexColumn column = source.read_indices();
+            check_range(column, element);
+            indices = std::move(column.indices);
         } else {
             document_.spend(element_, vertex_count_);
             indices.resize(vertex_count_);
@@ -116,10 +118,8 @@ private:
         if (is_ragged(mode, given)) document_.warn(element_, "incomplete last element was dropped");
     }
 
-    void check_range(const std::vector<std::uint32_t>& indices, const std::string& element) const {
-        std::uint32_t largest = 0;
-        for (const std::uint32_t index : indices)
-            largest = std::max(largest, index);
+    void check_range(const IndexColumn& column, const std::string& element) const {
+        const auto& [indices, largest] = column;
         if (indices.empty() || largest < vertex_count_) return;
         const auto place = std::find(indices.begin(), indices.end(), largest) - indices.begin();
         document_.fail(element, "index " + std::to_string(largest) + " at " + std::to_string(place),
@@ -146,17 +146,20 @@ private:
     /// glTF 2.0, section 3.7.2.1: without normals, given tangents are ignored.
     void read_normals_and_tangents() {
         if (mesh_.topology != Topology::triangles || !has("NORMAL")) return;
-        mesh_.normals = read<3>("NORMAL");
-        std::vector<glm::vec3>& normals = mesh_.normals;
-        make_unit(std::span{normals}, [&](std::size_t i) { normals[i] = {0.0f, 1.0f, 0.0f}; });
+        const Rule<3> unit{are_unit<glm::vec3>, [](std::span<glm::vec3> normals, std::size_t) {
+                               make_unit(normals, [&](std::size_t i) { normals[i] = {0.0f, 1.0f, 0.0f}; });
+                           }};
+        mesh_.normals = read<3>("NORMAL", {}, unit);
         if (!has("TANGENT")) return;
-        mesh_.tangents = read<4>("TANGENT", k_tangents);
-        std::vector<glm::vec4>& tangents = mesh_.tangents;
-        make_unit(std::span{tangents}, [&](std::size_t i) {
-            tangents[i] = {any_perpendicular(normals[i]), tangents[i].w};
-        });
-        for (glm::vec4& tangent : tangents)
-            tangent.w = tangent.w < 0.0f ? -1.0f : 1.0f;
+        const Rule<4> unit_with_sign{
+            [](std::span<const glm::vec4> tangents) { return are_unit(tangents) && are_signs(tangents); },
+            [&](std::span<glm::vec4> tangents, std::size_t first) {
+                make_unit(tangents, [&](std::size_t i) {
+                    tangents[i] = {any_perpendicular(mesh_.normals[first + i]), tangents[i].w};
+                });
+                make_signs(tangents);
+            }};
+        mesh_.tangents = read<4>("TANGENT", k_tangents, unit_with_sign);
     }
 
     Document& document_;

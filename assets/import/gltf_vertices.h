@@ -24,6 +24,15 @@ struct AttributeForm {
     bool always_normalise = false;
 };
 
+/// What the vectors of a column must be beyond finite, for pieces of the column.
+template <int N>
+struct Rule {
+    /// Whether all are so, and finite: one look instead of two for what most files hold.
+    std::function<bool(std::span<const glm::vec<N, float>>)> holds;
+    /// Makes finite vectors so.
+    Finish<N> enforce;
+};
+
 /// Reads the columns of one primitive's vertices, all of one length, numbers that are not finite as 0 with a
 /// warning.
 class VertexReader {
@@ -45,7 +54,8 @@ public:
     /// @throws Error
     template <int N>
     [[nodiscard]] std::vector<glm::vec<N, float>> read(int accessor, const std::string& name,
-                                                       const AttributeForm& form = {});
+                                                       const AttributeForm& form = {},
+                                                       const Rule<N>& rule = {});
 
 private:
     Document& document_;
