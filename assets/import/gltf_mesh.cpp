@@ -192,8 +192,8 @@ struct PlannedMesh {
     }
 };
 
-/// Plans which meshes there are, reads them on all threads, and reports in the order of the document. Only
-/// which of them names a file that asks for too much is left to chance.
+/// Plans which meshes there are, reads them, on all threads if it is worth it, and reports in the order of
+/// the document. Only which of them names a file that asks for too much is left to chance.
 class MeshesImport {
 public:
     MeshesImport(Document& document, Scene& scene) : document_{document}, scene_{scene} {}
@@ -201,8 +201,15 @@ public:
     std::vector<MissingColumns> run() {
         for (std::size_t m = 0; m < document_.model.meshes.size(); ++m)
             scene_.models.push_back(model(m));
-        tbb::parallel_for(std::size_t{0}, planned_.size(),
-                          [&](std::size_t i) { planned_[i].read(document_); });
+        const auto read = [&](std::size_t i) {
+            planned_[i].read(document_);
+        };
+        if (is_small()) {
+            for (std::size_t i = 0; i < planned_.size(); ++i)
+                read(i);
+        } else {
+            tbb::parallel_for(std::size_t{0}, planned_.size(), read);
+        }
         for (PlannedMesh& planned : planned_) {
             for (const std::string& warning : planned.warnings)
                 spdlog::warn("{}", warning);
@@ -216,6 +223,16 @@ public:
     }
 
 private:
+    /// A millisecond's work at most: what other threads save of it is less than the wait for one that a busy
+    /// machine gives no time.
+    bool is_small() const {
+        constexpr std::uint64_t k_small_bytes = 8 << 20;
+        std::uint64_t bytes = 0;
+        for (const tinygltf::Buffer& buffer : document_.model.buffers)
+            bytes += buffer.data.size();
+        return bytes <= k_small_bytes;
+    }
+
     Model model(std::size_t index) {
         const tinygltf::Mesh& source = document_.model.meshes[index];
         const std::string element = element_name("meshes", index);

@@ -74,7 +74,7 @@ TEST(GltfReading, HeldWarningsAreNotLogged) {
     EXPECT_EQ(lines.size(), 1u);
 }
 
-TEST(GltfReading, PrimitivesWarnAndFailInTheOrderOfTheDocument) {
+void expect_the_order_of_the_document(std::size_t more_bytes) {
     Draft draft;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     draft.add<float>({nan, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
@@ -86,6 +86,7 @@ TEST(GltfReading, PrimitivesWarnAndFailInTheOrderOfTheDocument) {
         primitives.append(i > 0 ? "," : "").append(R"({"attributes":{"POSITION":)");
         primitives.append(std::to_string(i + 1)).append("}}");
     }
+    draft.add(std::vector<std::uint8_t>(more_bytes), "SCALAR");
     const auto meshes = [](const std::string& inside) {
         return R"(,"meshes":[{"primitives":[)" + inside + "]}]";
     };
@@ -102,6 +103,15 @@ TEST(GltfReading, PrimitivesWarnAndFailInTheOrderOfTheDocument) {
     const std::string broken = R"({"attributes":{"POSITION":99}},)";
     EXPECT_THAT(draft.error(meshes(broken + primitives + "," + broken + R"({"attributes":{"POSITION":98}})")),
                 HasSubstr("primitives[0].attributes.POSITION: accessor 99"));
+}
+
+TEST(GltfReading, PrimitivesWarnAndFailInTheOrderOfTheDocument) {
+    expect_the_order_of_the_document(1);
+}
+
+/// Files of more than 8 MiB are read on all threads.
+TEST(GltfReading, PrimitivesWarnAndFailInTheOrderOfTheDocumentOnAllThreads) {
+    expect_the_order_of_the_document(9 << 20);
 }
 
 }  // namespace
