@@ -110,6 +110,7 @@ private:
             add_model(place_.scene, "block-ground", store(place_.scene, builder.take("block-ground")),
                       palette_.standard);
         const GroundCharts charts = block_ground_charts(plan_.street, light_texel_m());
+        prepare_for_light(ground, charts);
         for (int j = 0; j < plan_.blocks_z; ++j) {
             for (int i = 0; i < plan_.blocks_x; ++i) {
                 const glm::vec2 centre = plan_.block_centre(i, j);
@@ -132,7 +133,20 @@ private:
         return k_fine_m * static_cast<float>(std::sqrt(std::max(1.0, texels / k_most_texels)));
     }
 
-    /// The model of a ground as shops light it, with meshes and materials of its own where light falls.
+    /// Whether light falls on a part of a ground's model.
+    [[nodiscard]] bool is_lit(const ModelPart& part) const {
+        return part.material != palette_.standard[static_cast<std::size_t>(Surface::roof)];
+    }
+
+    /// Gives the meshes of a ground coordinates in its light maps, which those of all places where it lies
+    /// share.
+    void prepare_for_light(std::uint32_t ground, const GroundCharts& charts) {
+        if (evening_.lamps == 0.0f) return;
+        for (const ModelPart& part : place_.scene.models[ground].parts)
+            if (is_lit(part)) add_light_coordinates(place_.scene.meshes[part.mesh], charts);
+    }
+
+    /// The model of a prepared ground as shops light it, with materials of its own where light falls.
     std::uint32_t lit_ground(std::uint32_t ground, const GroundCharts& charts, const Frame& at,
                              std::span<const ShopWindow> shops) {
         GroundLight light = bake_ground(charts, plan_.street, at, shops);
@@ -141,16 +155,12 @@ private:
         const std::uint32_t texture = add_light_map(scene, std::move(light.image));
         Model model = scene.models[ground];
         for (ModelPart& part : model.parts) {
-            if (part.material == palette_.standard[static_cast<std::size_t>(Surface::roof)]) continue;
-            Mesh mesh = scene.meshes[part.mesh];
-            add_light_coordinates(mesh, charts);
-            scene.meshes.push_back(std::move(mesh));
+            if (!is_lit(part)) continue;
             Material material = scene.materials[part.material];
             material.light_map_texture = {.texture = texture, .uv_set = 1};
             material.light_map_strength = light.strength;
             scene.materials.push_back(std::move(material));
-            part = {static_cast<std::uint32_t>(scene.meshes.size() - 1),
-                    static_cast<std::uint32_t>(scene.materials.size() - 1)};
+            part.material = static_cast<std::uint32_t>(scene.materials.size() - 1);
         }
         scene.models.push_back(std::move(model));
         return static_cast<std::uint32_t>(scene.models.size() - 1);
@@ -241,8 +251,9 @@ private:
         // Once all stand: about corners, shops of two sides light the same ground.
         for (std::size_t side = 0; side < 4; ++side) {
             std::uint32_t& model = place_.scene.nodes[grounds[side]].model;
-            model = lit_ground(model, edge_ground_charts(plan_.street, length_of(side), light_texel_m()),
-                               frames[side], shops);
+            const GroundCharts charts = edge_ground_charts(plan_.street, length_of(side), light_texel_m());
+            prepare_for_light(model, charts);
+            model = lit_ground(model, charts, frames[side], shops);
         }
     }
 

@@ -167,6 +167,7 @@ float sample_transmission(Material m) {
 #if LIGHT_MAP
 /// Radiance that a white Lambert surface would send because of baked light.
 vec3 sample_light_map(Material m) {
-    return m.transmission.y * SAMPLE(light_map_texture, light_map_uv).rgb;
+    const float most = 65504.0;  // finite, or black surfaces would make no number of it
+    return min(m.transmission.y * SAMPLE(light_map_texture, light_map_uv).rgb, vec3(most));
 }
 #endif
