@@ -49,7 +49,7 @@ void write_or_test_depth(PassBuilder& pass, FrameResources& resources) {
 
 void enable_depth(bool known) {
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(known ? GL_EQUAL : GL_GREATER);
+    glDepthFunc(known ? GL_EQUAL : GL_GEQUAL);
     glDepthMask(known ? GL_FALSE : GL_TRUE);
 }
 

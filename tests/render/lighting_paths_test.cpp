@@ -157,6 +157,20 @@ TEST(LightingPaths, ForwardKeepsWhatTheGBufferKeeps) {
         << "a pre-pass changes no deferred picture";
 }
 
+TEST(LightingPaths, APrePassLeavesTheSameOneOfCoincidentSurfacesInFront) {
+    Stage stage;
+    assets::Material red = matte({1, 0, 0}), green = matte({0, 1, 0});
+    red.unlit = green.unlit = true;
+    const std::uint32_t square = stage.square();
+    stage.place(square, stage.material(red));
+    stage.place(square, stage.material(green));
+    for (const render::LightingPath path : {render::LightingPath::tiled, render::LightingPath::forward}) {
+        const Picture without = drawn_by(stage, path);
+        EXPECT_EQ(drawn_by(stage, path, true).bytes, without.bytes);
+        EXPECT_GT(without.radiance(64, 64).y, 0.9f) << "of equally near ones the last one drawn is seen";
+    }
+}
+
 TEST(LightingPaths, ShowTheSamePictureFromAWideGBuffer) {
     Stage stage;
     furnish(stage);
