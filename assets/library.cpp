@@ -25,6 +25,7 @@ SceneOffsets append(Scene& into, Scene from) {
                           .models = static_cast<std::uint32_t>(into.models.size()),
                           .cameras = static_cast<std::uint32_t>(into.cameras.size()),
                           .lights = static_cast<std::uint32_t>(into.lights.size()),
+                          .emitters = static_cast<std::uint32_t>(into.emitters.size()),
                           .nodes = static_cast<std::uint32_t>(into.nodes.size()),
                           .skeletons = static_cast<std::uint32_t>(into.skeletons.size()),
                           .clips = static_cast<std::uint32_t>(into.clips.size())};
@@ -37,6 +38,8 @@ SceneOffsets append(Scene& into, Scene from) {
             shift(part.mesh, at.meshes);
             shift(part.material, at.materials);
         }
+    for (Emitter& emitter : from.emitters)
+        shift(emitter.material, at.materials);
     for (Node& node : from.nodes) {
         shift(node.parent, at.nodes);
         for (std::uint32_t& child : node.children)
@@ -44,6 +47,7 @@ SceneOffsets append(Scene& into, Scene from) {
         shift(node.model, at.models);
         shift(node.camera, at.cameras);
         shift(node.light, at.lights);
+        shift(node.emitter, at.emitters);
         shift(node.skeleton, at.skeletons);
         for (std::uint32_t& node_index : node.coarser)
             shift(node_index, at.nodes);
@@ -64,6 +68,7 @@ SceneOffsets append(Scene& into, Scene from) {
     move_behind(into.models, from.models);
     move_behind(into.cameras, from.cameras);
     move_behind(into.lights, from.lights);
+    move_behind(into.emitters, from.emitters);
     move_behind(into.nodes, from.nodes);
     move_behind(into.skeletons, from.skeletons);
     move_behind(into.clips, from.clips);

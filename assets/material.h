@@ -61,6 +61,9 @@ struct Material {
     /// How far a height of 0 lies below one of 1, in units of texture coordinates before their transform,
     /// which are taken to be as long one way as the other; [0, k_max_height_depth].
     float height_depth = 0.0f;
+    /// Of the balls of haze that Emitters make of it; surfaces ignore it. Through a ball's middle, e to the
+    /// power of minus this of the light behind remains. [0, k_max_optical_depth].
+    float optical_depth = 0.0f;
     float light_map_strength = 1.0f;  ///< factor of the light map, ≥ 0: what makes bytes of a picture HDR
     float alpha_cutoff = 0.5f;
     AlphaMode alpha_mode = AlphaMode::opaque;
@@ -82,6 +85,8 @@ struct Material {
 };
 
 inline constexpr float k_max_height_depth = 0.25f;  ///< of Material::height_depth;
+
+inline constexpr float k_max_optical_depth = 100.0f;  ///< of Material::optical_depth
 
 /// Whether light goes through some of it: none does through metals (KHR_materials_transmission).
 [[nodiscard]] inline bool transmits(const Material& material) {

@@ -9,6 +9,7 @@
 
 #include "assets/clip.h"
 #include "assets/daylight.h"
+#include "assets/emitter.h"
 #include "assets/image.h"
 #include "assets/material.h"
 #include "assets/mesh.h"
@@ -77,6 +78,7 @@ struct Node {
     std::uint32_t model = k_none;
     std::uint32_t camera = k_none;
     std::uint32_t light = k_none;
+    std::uint32_t emitter = k_none;
     std::uint32_t skeleton = k_none;     ///< what moves the model's skinned meshes
     std::vector<float> morph_weights{};  ///< empty: those of the model
     std::vector<std::uint32_t>
@@ -95,6 +97,7 @@ struct Scene {
     std::vector<Model> models;
     std::vector<Camera> cameras;
     std::vector<Light> lights;
+    std::vector<Emitter> emitters{};
     std::vector<Node> nodes;
     std::vector<Skeleton> skeletons;
     std::vector<Clip> clips;

@@ -112,6 +112,7 @@ Json node_row(const Node& node) {
             {"skeleton", index_or_null(node.skeleton)},
             {"camera", index_or_null(node.camera)},
             {"light", index_or_null(node.light)},
+            {"emitter", index_or_null(node.emitter)},
             {"morph_weights", node.morph_weights},
             {"coarser", node.coarser},
             {"screen_coverage", node.screen_coverage}};
@@ -168,6 +169,19 @@ Json camera_row(const Camera& camera) {
             {"half_height_m", camera.half_height_m},
             {"near_m", camera.near_m},
             {"far_m", camera.far_m}};
+}
+
+Json emitter_row(const Emitter& emitter) {
+    return {{"name", emitter.name},
+            {"material", index_or_null(emitter.material)},
+            {"particles", emitter.count},
+            {"lifetime_s", emitter.lifetime_s},
+            {"spread_m", emitter.spread_m},
+            {"velocity_m_s", numbers(emitter.velocity_m_s)},
+            {"velocity_spread_m_s", emitter.velocity_spread_m_s},
+            {"acceleration_m_s2", numbers(emitter.acceleration_m_s2)},
+            {"start_radius_m", emitter.start_radius_m},
+            {"end_radius_m", emitter.end_radius_m}};
 }
 
 Json light_row(const Light& light) {
@@ -256,6 +270,7 @@ Json inspection(const std::filesystem::path& file, const GltfWithFacts& gltf,
             {"clips", rows(scene.clips, [](const Clip& c, std::size_t) { return clip_row(c); })},
             {"cameras", rows(scene.cameras, [](const Camera& c, std::size_t) { return camera_row(c); })},
             {"lights", rows(scene.lights, [](const Light& l, std::size_t) { return light_row(l); })},
+            {"emitters", rows(scene.emitters, [](const Emitter& e, std::size_t) { return emitter_row(e); })},
             {"warnings", warnings}};
 }
 

@@ -83,6 +83,7 @@ nlohmann::json inspected_material(const Material& material, const std::vector<st
             {"specular_colour", numbers(material.specular_colour)},
             {"transmission", material.transmission},
             {"height_depth", material.height_depth},
+            {"optical_depth", material.optical_depth},
             {"light_map_strength", material.light_map_strength},
             {"textures", textures_of(material)},
             {"extensions", extensions}};

@@ -13,6 +13,7 @@
 #include "assets/cache/level_loader.h"
 #include "game/progress.h"
 #include "systems/look/texture_uses.h"
+#include "systems/pack/fading.h"
 
 namespace rambla::game {
 
@@ -68,7 +69,8 @@ PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo
 
 void hand_over(PreparedScene prepared, Stage& stage, render::RenderThread& thread) {
     stage.world->set_resource(systems::TextureUses{*stage.scene, *prepared.scene});
-    thread.upload(stage.scene, std::move(prepared.scene), std::move(prepared.textures));
+    thread.upload(stage.scene, std::move(prepared.scene), std::move(prepared.textures),
+                  systems::fading_materials(*stage.world));
 }
 
 }  // namespace rambla::game

@@ -34,7 +34,8 @@ private:
     const ecs::World& world_;
     const assets::Scene& scene_;
     ecs::Query<const systems::WorldTransform, const systems::Renderable, const systems::LocalBounds,
-               ecs::Without<systems::PreviousWorldTransform>, ecs::Without<systems::Skinned>>
+               ecs::Without<systems::PreviousWorldTransform>, ecs::Without<systems::Skinned>,
+               ecs::Without<systems::ParticleSource>>
         standing_;
     systems::WorldPosition anchor_;
     bool gathered_ = false;

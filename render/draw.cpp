@@ -41,7 +41,8 @@ void DrawList::clear(DrawKind kind) {
 }
 
 bool DrawList::is_drawn_twice(std::uint32_t pipeline) const {
-    return kind_ == DrawKind::blended && systems::unpack_pipeline(pipeline).double_sided;
+    const systems::Pipeline unpacked = systems::unpack_pipeline(pipeline);
+    return kind_ == DrawKind::blended && (unpacked.double_sided || unpacked.fading);
 }
 
 bool DrawList::draws_shadow_meshes(systems::Pipeline pipeline) const {
@@ -122,17 +123,38 @@ void DrawList::draw_run(const SceneStore& scene, const Run& run, DrawCounts& cou
     } else if (is_masked(pipeline)) {
         scene.bind_base_colour(run.material);
     }
-    if (is_drawn_twice(run.pipeline)) {
-        glEnable(GL_CULL_FACE);
-        glCullFace(GL_FRONT);
-        draw_commands(run, counts);
-        glCullFace(GL_BACK);
-    } else if (pipeline.double_sided) {
+    if (pipeline.double_sided) {
         glDisable(GL_CULL_FACE);
     } else {
         glEnable(GL_CULL_FACE);
     }
+    if (!is_drawn_twice(run.pipeline)) {
+        draw_commands(run, counts);
+    } else if (pipeline.fading) {
+        draw_fading(run, counts);
+    } else {
+        draw_sides(run, counts);
+    }
+}
+
+void DrawList::draw_sides(const Run& run, DrawCounts& counts) const {
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);
     draw_commands(run, counts);
+    glCullFace(GL_BACK);
+    draw_commands(run, counts);
+}
+
+/// Where it lies over itself only what is nearest may be blended, or it would be less transparent there.
+void DrawList::draw_fading(const Run& run, DrawCounts& counts) const {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_TRUE);
+    draw_commands(run, counts);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    draw_commands(run, counts);
+    glDepthFunc(GL_GREATER);
 }
 
 void DrawList::draw_commands(const Run& run, DrawCounts& counts) const {

@@ -27,8 +27,9 @@ struct DrawCounts {
 
 /// How a list is split into runs that share their GL state.
 enum class DrawKind : std::uint8_t {
-    shaded,     ///< a run per pipeline and material, with the material's textures
-    blended,    ///< as shaded; what is seen from both sides is drawn twice, back faces first, thing by thing
+    shaded,   ///< a run per pipeline and material, with the material's textures
+    blended,  ///< as shaded, but thing by thing what is drawn twice: what is seen from both sides, back faces
+              ///< first, and what fades, its depth first
     depth_only  ///< opaque materials merge into one run per cull state, and draw shadow meshes unless they
                 ///< deform; masked ones bind their base colour
 };
@@ -54,7 +55,8 @@ public:
 
     /// Draws everything with the programs that `program_of(systems::Pipeline, material)` chooses; it is asked
     /// once per run and returns a `const gl::Program&`. Sets culling, winding, vertex array and material
-    /// textures; depth and blend state are the caller's.
+    /// textures; depth and blend state are the caller's. What fades writes its depth and is blended where
+    /// that is the nearest; then depth is tested by GL_GREATER and not written.
     template <class ProgramOf>
     DrawCounts draw(const SceneStore& scene, ProgramOf&& program_of) const {
         DrawCounts counts;
@@ -85,6 +87,8 @@ private:
     };
 
     [[nodiscard]] bool is_drawn_twice(std::uint32_t pipeline) const;
+    void draw_sides(const Run& run, DrawCounts& counts) const;
+    void draw_fading(const Run& run, DrawCounts& counts) const;
     [[nodiscard]] bool draws_shadow_meshes(systems::Pipeline pipeline) const;
     [[nodiscard]] bool continues(const Run& run, std::uint32_t pipeline, std::uint32_t material) const;
     void begin() const;

@@ -60,6 +60,7 @@ struct FrameResources {
     TileLists tiles{};     ///< only where lighting goes by tiles, and some light touches the picture
 
     TextureHandle depth{};          ///< GL_DEPTH_COMPONENT32F, reversed
+    TextureHandle solid_depth{};    ///< the same before what fades has written its own
     TextureHandle albedo{};         ///< G-buffer: what it holds is said in gbuffer_layout.glsl
     TextureHandle normal{};         ///< G-buffer
     TextureHandle surface{};        ///< G-buffer

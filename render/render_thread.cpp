@@ -24,6 +24,7 @@ struct Command {
     std::shared_ptr<const assets::Scene> scene;
     std::shared_ptr<const assets::ProcessedScene> processed;
     std::shared_ptr<assets::LevelSource> source;
+    std::vector<std::uint32_t> fading;
     std::size_t slot = 0;
 };
 
@@ -97,7 +98,7 @@ void RenderThread::State::serve(Renderer& renderer) {
         const bool drain = finishing && !has_command;
         lock.unlock();
         if (command.scene) {
-            renderer.upload(*command.scene, *command.processed, std::move(command.source));
+            renderer.upload(*command.scene, *command.processed, std::move(command.source), command.fading);
             command = {};
         } else if (has_command) {
             renderer.draw(slots[command.slot]);
@@ -142,15 +143,17 @@ DeviceInfo RenderThread::device() {
 
 void RenderThread::upload(std::shared_ptr<const assets::Scene> scene,
                           std::shared_ptr<const assets::ProcessedScene> processed,
-                          std::shared_ptr<assets::LevelSource> source) {
+                          std::shared_ptr<assets::LevelSource> source, std::vector<std::uint32_t> fading) {
     RAMBLA_ASSERT(scene != nullptr && processed != nullptr, "there is a scene to upload");
     {
         const std::scoped_lock lock{state_->mutex};
         state_->rethrow();
         std::erase_if(state_->sources, [](const auto& known) { return known.expired(); });
         if (source) state_->sources.push_back(source);
-        state_->queue.push_back(
-            {.scene = std::move(scene), .processed = std::move(processed), .source = std::move(source)});
+        state_->queue.push_back({.scene = std::move(scene),
+                                 .processed = std::move(processed),
+                                 .source = std::move(source),
+                                 .fading = std::move(fading)});
     }
     state_->changed.notify_all();
 }
@@ -168,8 +171,11 @@ void RenderThread::submit() {
         state_->rethrow();
         RAMBLA_ASSERT(!state_->slot_busy[state_->filling], "begin() came before submit()");
         state_->slot_busy[state_->filling] = true;
-        state_->queue.push_back(
-            {.scene = nullptr, .processed = nullptr, .source = nullptr, .slot = state_->filling});
+        state_->queue.push_back({.scene = nullptr,
+                                 .processed = nullptr,
+                                 .source = nullptr,
+                                 .fading = {},
+                                 .slot = state_->filling});
         state_->filling = 1 - state_->filling;
     }
     state_->changed.notify_all();

@@ -61,9 +61,11 @@ public:
     /// Hands over the scene whose indices all later Frames use, and what was made of it; returns at once, and
     /// lets go of both when they are uploaded.
     /// @param source  brings the levels of textures that are not in `processed`; closed when this ends
+    /// @param fading  materials of what may fade: programs for that are compiled ahead, too
     void upload(std::shared_ptr<const assets::Scene> scene,
                 std::shared_ptr<const assets::ProcessedScene> processed,
-                std::shared_ptr<assets::LevelSource> source = nullptr);
+                std::shared_ptr<assets::LevelSource> source = nullptr,
+                std::vector<std::uint32_t> fading = {});
 
     /// Waits until a FrameInput is free and returns it for filling; its contents are those of two frames ago.
     [[nodiscard]] FrameInput& begin();

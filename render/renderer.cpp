@@ -29,6 +29,8 @@ namespace {
 static_assert(sizeof(systems::Instance) == sizeof(shared::Instance));
 static_assert(offsetof(systems::Instance, row2) == offsetof(shared::Instance, row2));
 static_assert(offsetof(systems::Instance, material) == offsetof(shared::Instance, material));
+static_assert(systems::k_instance_material_mask == shared::k_instance_material_mask);
+static_assert(systems::k_instance_fade_shift == shared::k_instance_fade_shift);
 static_assert(offsetof(systems::Instance, object) == offsetof(shared::Instance, object));
 static_assert(offsetof(systems::Instance, joints) == offsetof(shared::Instance, joints));
 static_assert(offsetof(systems::Instance, morphs) == offsetof(shared::Instance, morphs));
@@ -125,10 +127,10 @@ Renderer::Renderer(const RenderThreadOptions& options,
 Renderer::~Renderer() = default;
 
 void Renderer::upload(const assets::Scene& scene, const assets::ProcessedScene& processed,
-                      std::shared_ptr<assets::LevelSource> source) {
+                      std::shared_ptr<assets::LevelSource> source, std::span<const std::uint32_t> fading) {
     state_->scene.upload(processed, std::move(source));
     if (!state_->compile_ahead) return;
-    for (const FrameInput& input : warm_up_frames(scene, state_->compile_for))
+    for (const FrameInput& input : warm_up_frames(scene, state_->compile_for, fading))
         state_->draw(input, true);
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "assets/processed.h"
@@ -28,8 +29,10 @@ public:
     /// Replaces the scene whose indices Frames use.
     /// @param processed  what was made of it
     /// @param source     of the levels of textures that are not in `processed`
+    /// @param fading     materials of what may fade
     void upload(const assets::Scene& scene, const assets::ProcessedScene& processed,
-                std::shared_ptr<assets::LevelSource> source = nullptr);
+                std::shared_ptr<assets::LevelSource> source = nullptr,
+                std::span<const std::uint32_t> fading = {});
 
     /// Draws and shows one frame. @throws std::runtime_error  with GL's messages, if errors are to throw
     void draw(const FrameInput& input);

@@ -102,7 +102,7 @@ shared::Material shader_material(const assets::Material& m, bool normal_z_is_mis
             .height_uv = shader_transform(m.height_texture),
             .transmission_uv = shader_transform(m.transmission_texture),
             .light_map_uv = shader_transform(m.light_map_texture),
-            .transmission = {m.transmission, m.light_map_strength, 0.0f, 0.0f}};
+            .transmission = {m.transmission, m.light_map_strength, m.optical_depth, 0.0f}};
 }
 
 SceneMaterials upload_materials(const assets::ProcessedScene& scene, const SceneTextures& textures) {

@@ -100,8 +100,10 @@ PackedSkin pack_skin(const assets::Mesh& mesh, std::size_t vertex) {
 }
 
 SceneMeshes upload_meshes(std::span<const assets::ProcessedMesh> meshes) {
-    std::size_t vertex_count = 0;
-    std::size_t index_count = 0;
+    constexpr std::array<glm::vec3, 4> k_corners{{{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}};
+    constexpr std::array<std::uint32_t, 6> k_quad{0, 1, 2, 2, 1, 3};
+    std::size_t vertex_count = k_corners.size();
+    std::size_t index_count = k_quad.size();
     std::vector<std::uint32_t> order(meshes.size());
     for (std::uint32_t i = 0; i < meshes.size(); ++i) {
         vertex_count += meshes[i].mesh.positions.size();
@@ -133,6 +135,12 @@ SceneMeshes upload_meshes(std::span<const assets::ProcessedMesh> meshes) {
             skins.push_back(pack_skin(mesh, v));
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
     }
+    result.quad = {.first_index = static_cast<std::uint32_t>(indices.size()),
+                   .index_count = static_cast<std::uint32_t>(k_quad.size()),
+                   .base_vertex = static_cast<std::int32_t>(positions.size())};
+    positions.insert(positions.end(), k_corners.begin(), k_corners.end());
+    attributes.resize(positions.size());
+    indices.insert(indices.end(), k_quad.begin(), k_quad.end());
 
     result.positions = gl::Buffer{"positions", positions.size() * sizeof(glm::vec3), positions.data()};
     result.attributes =

@@ -44,6 +44,7 @@ struct SceneMeshes {
     gl::VertexArray vertices;
     gl::VertexArray skinned_vertices;  ///< with joints and weights
     std::vector<MeshRange> ranges;     ///< as the scene counts its meshes
+    MeshRange quad;                    ///< corners (±1, ±1, 0), counter-clockwise from +z
 };
 
 /// Uploads the finest level of each mesh.

@@ -91,6 +91,7 @@ void SceneStore::rebind_textures() {
 }
 
 const MeshRange& SceneStore::mesh(std::uint32_t index) const {
+    if (index == assets::k_none) return state_->meshes.quad;
     RAMBLA_ASSERT(index < state_->meshes.ranges.size(), "Frames use the uploaded scene's indices");
     return state_->meshes.ranges[index];
 }

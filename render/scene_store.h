@@ -47,6 +47,7 @@ public:
     void release_textures(std::uint64_t finished);
     [[nodiscard]] const TextureResidency& textures() const;
 
+    /// @param index  assets::k_none: a square of half size 1 in the plane z = 0, for what shaders make up
     [[nodiscard]] const MeshRange& mesh(std::uint32_t index) const;
     /// What a mesh of opaque triangles casts that does not deform, of shadow_vertices().
     [[nodiscard]] const MeshRange& shadow_mesh(std::uint32_t index) const;

@@ -54,7 +54,7 @@ systems::Instance instance_of(const assets::Mesh& mesh, std::uint32_t material) 
     instance.row0 = {scale, 0.0f, 0.0f, shift.x};
     instance.row1 = {0.0f, scale, 0.0f, shift.y};
     instance.row2 = {0.0f, 0.0f, scale, shift.z};
-    instance.material = material;
+    instance.material = systems::instance_material(material, 0);
     return instance;
 }
 
@@ -81,7 +81,35 @@ void add_caster(systems::CasterColumns& casters, const systems::DrawBatch& batch
     casters.instance.push_back(batch.first_instance);
 }
 
-systems::Frame warm_up_frame(const assets::Scene& scene) {
+void add_haze(systems::Frame& frame, const assets::Scene& scene) {
+    if (scene.emitters.empty()) return;
+    const systems::Pipeline pipeline{.alpha = static_cast<std::uint8_t>(assets::AlphaMode::blend),
+                                     .haze = true};
+    const std::uint32_t material = scene.emitters.front().material;
+    frame.blended.push_back({.pipeline = systems::pack(pipeline),
+                             .material = material,
+                             .mesh = assets::k_none,
+                             .first_instance = static_cast<std::uint32_t>(frame.instances.size()),
+                             .instance_count = 1});
+    systems::Instance& ball = frame.instances.emplace_back();
+    ball.row2.w = -k_light_distance_m;
+    ball.material = systems::instance_material(material, 0);
+}
+
+/// The last opaque thing once more, as what fades.
+void add_fading(systems::Frame& frame) {
+    systems::DrawBatch batch = frame.opaque.back();
+    systems::Instance instance = frame.instances.back();
+    systems::Pipeline pipeline = systems::unpack_pipeline(batch.pipeline);
+    pipeline.fading = true;
+    batch.pipeline = systems::pack(pipeline);
+    batch.first_instance = static_cast<std::uint32_t>(frame.instances.size());
+    instance.material = systems::instance_material(batch.material, 128);
+    frame.instances.push_back(instance);
+    frame.blended.push_back(batch);
+}
+
+systems::Frame warm_up_frame(const assets::Scene& scene, std::span<const std::uint32_t> fading) {
     systems::Frame frame;
     frame.view.size_px = k_size_px;
     frame.view.clip_from_view = glm::mat4{0.0f};
@@ -117,16 +145,19 @@ systems::Frame warm_up_frame(const assets::Scene& scene) {
         } else {
             frame.opaque.push_back(batch);
             add_caster(frame.casters, batch);
+            if (std::find(fading.begin(), fading.end(), index) != fading.end()) add_fading(frame);
         }
     }
+    add_haze(frame, scene);
     return frame;
 }
 
 }  // namespace
 
-std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Settings& settings) {
+std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Settings& settings,
+                                       std::span<const std::uint32_t> fading) {
     std::vector<FrameInput> inputs;
-    systems::Frame frame = warm_up_frame(scene);
+    systems::Frame frame = warm_up_frame(scene, fading);
     const LightingParameters& lighting = settings.lighting;
     // Solids are drawn in another state where the eye is inside.
     if (lighting.path == LightingPath::volumes && lighting.volume == LightVolume::solid)

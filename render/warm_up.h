@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "assets/scene.h"
@@ -11,6 +13,8 @@ namespace rambla::render {
 /// tone curve, anti-aliasing and shadows that picks another program, and else under the given settings:
 /// drivers compile for the state in which a program is first used, up to 400 ms on the software rasteriser,
 /// so this is spent before the first real frame.
-[[nodiscard]] std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Settings& settings);
+/// @param fading  materials that are also drawn as what fades
+[[nodiscard]] std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Settings& settings,
+                                                     std::span<const std::uint32_t> fading = {});
 
 }  // namespace rambla::render

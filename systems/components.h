@@ -69,6 +69,32 @@ struct LocalBounds {
 /// Does not throw a shadow (glass, ground far below everything).
 struct NoShadow {};
 
+/// How much is left of an entity's Renderable; without this, all. What is not whole is blended over what lies
+/// behind it, and throws its whole shadow.
+struct Opacity {
+    float value = 1.0f;  ///< [0, 1]; 0 is not drawn
+};
+
+/// Vanishes where the eye comes so near that it would look into it.
+struct NearFade {
+    float gone_m = 0.0f;   ///< from the eye to the box of what is drawn, and nearer: not drawn
+    float whole_m = 0.0f;  ///< and farther: whole; ≥ gone_m
+};
+
+/// Its entity's Renderable, which has no mesh, is drawn as balls of haze that begin here, drift and dissolve:
+/// see particle_at(). Members as in assets::Emitter.
+struct ParticleSource {
+    std::uint32_t count = 1;
+    float lifetime_s = 0.0f;
+    float spread_m = 0.0f;
+    glm::vec3 velocity_m_s{0.0f};
+    float velocity_spread_m_s = 0.0f;
+    glm::vec3 acceleration_m_s2{0.0f};
+    float start_radius_m = 1.0f;
+    float end_radius_m = 1.0f;
+    std::uint32_t seed = 0;  ///< of what each particle draws
+};
+
 /// A point or spot light at its entity, shining along −Z.
 struct LocalLight {
     glm::vec3 intensity{1.0f};  ///< illuminance · m²

@@ -33,13 +33,17 @@ struct Pipeline {
     bool unlit = false;
     bool skinned = false;  ///< vertices follow Instance::joints instead of its rows
     bool morphed = false;  ///< vertices are changed by Instance::morphs before that
+    bool fading = false;   ///< opaque or masked, but blended as Instance::material says, with its own depth
+    /// A ball about the instance's origin, as large as its first row is long, without a mesh.
+    bool haze = false;
 
     bool operator==(const Pipeline&) const = default;
 };
 
 [[nodiscard]] constexpr std::uint32_t pack(Pipeline p) {
-    return (p.morphed ? 256u : 0u) | (p.skinned ? 128u : 0u) | (p.topology << 5u) | (p.alpha << 3u) |
-           (p.unlit ? 4u : 0u) | (p.double_sided ? 2u : 0u) | (p.mirrored ? 1u : 0u);
+    return (p.haze ? 1024u : 0u) | (p.fading ? 512u : 0u) | (p.morphed ? 256u : 0u) |
+           (p.skinned ? 128u : 0u) | (p.topology << 5u) | (p.alpha << 3u) | (p.unlit ? 4u : 0u) |
+           (p.double_sided ? 2u : 0u) | (p.mirrored ? 1u : 0u);
 }
 [[nodiscard]] constexpr Pipeline unpack_pipeline(std::uint32_t bits) {
     return {.double_sided = (bits & 2u) != 0,
@@ -48,7 +52,21 @@ struct Pipeline {
             .topology = static_cast<std::uint8_t>((bits >> 5u) & 3u),
             .unlit = (bits & 4u) != 0,
             .skinned = (bits & 128u) != 0,
-            .morphed = (bits & 256u) != 0};
+            .morphed = (bits & 256u) != 0,
+            .fading = (bits & 512u) != 0,
+            .haze = (bits & 1024u) != 0};
+}
+
+/// Of Instance::material: the bits that name the material, and where those begin that say how far the
+/// instance has faded, of 255.
+inline constexpr std::uint32_t k_instance_material_mask = 0xffffffu;
+inline constexpr std::uint32_t k_instance_fade_shift = 24;
+
+/// Instance::material of a material (k_none: the default one) that is so far gone.
+/// @param faded  0: all there, 255: nothing left
+[[nodiscard]] constexpr std::uint32_t instance_material(std::uint32_t material, std::uint8_t faded) {
+    return (material & k_instance_material_mask) |
+           (static_cast<std::uint32_t>(faded) << k_instance_fade_shift);
 }
 
 /// One drawn thing, as it lies in the instance buffer on the GPU (render/shaders/shared/instance.h mirrors
@@ -57,10 +75,10 @@ struct Instance {
     glm::vec4 row0{1.0f, 0.0f, 0.0f, 0.0f};  ///< rows of the affine camera-relative world_from_local
     glm::vec4 row1{0.0f, 1.0f, 0.0f, 0.0f};
     glm::vec4 row2{0.0f, 0.0f, 1.0f, 0.0f};
-    std::uint32_t material = 0;
-    std::uint32_t object = 0;  ///< entity index, for picking
-    std::uint32_t joints = 0;  ///< skinned: row of Frame::joints that is joint 0
-    std::uint32_t morphs = 0;  ///< morphed: first of its terms in Frame::morphs
+    std::uint32_t material = 0;  ///< see instance_material()
+    std::uint32_t object = 0;    ///< entity index, for picking
+    std::uint32_t joints = 0;    ///< skinned: row of Frame::joints that is joint 0
+    std::uint32_t morphs = 0;    ///< morphed: first of its terms in Frame::morphs
 };
 static_assert(sizeof(Instance) == 64);
 
@@ -81,7 +99,7 @@ struct MorphTerm {
 struct DrawBatch {
     std::uint32_t pipeline = 0;  ///< pack(Pipeline)
     std::uint32_t material = 0;
-    std::uint32_t mesh = 0;
+    std::uint32_t mesh = 0;            ///< k_none: haze
     std::uint32_t first_instance = 0;  ///< into Frame::instances
     std::uint32_t instance_count = 0;
 };

@@ -59,14 +59,15 @@ Looking make_looking() {
     Looking looking{std::make_unique<ecs::Schedule>()};
     ecs::Schedule& schedule = *looking.schedule;
     schedule.add("culling", cull_all)
-        .reads<WorldTransform, PreviousWorldTransform, Renderable, LocalBounds, Skinned, Morphed>();
+        .reads<WorldTransform, PreviousWorldTransform, Renderable, LocalBounds, Skinned, Morphed, Opacity,
+               NearFade, ParticleSource>();
     schedule.add("lights", FindLights{})
         .reads<WorldTransform, PreviousWorldTransform, LocalLight, DirectionalLight>();
     schedule.add("packing", Pack{})
         .after("culling")
         .after("lights")
-        .reads<WorldTransform, PreviousWorldTransform, Renderable, Skinned,
-               Morphed>();  // through what culling found
+        .reads<WorldTransform, PreviousWorldTransform, Renderable, Skinned, Morphed, Opacity, NearFade,
+               ParticleSource>();  // through what culling found
     schedule.add("texture demand", DemandTextures{})
         .after("packing")
         .reads<WorldTransform, PreviousWorldTransform, Renderable, Skinned, Morphed>();

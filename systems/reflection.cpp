@@ -69,6 +69,31 @@ struct reflection<NoShadow> {
     static constexpr auto value = describe<NoShadow>("no_shadow");
 };
 template <>
+struct reflection<Opacity> {
+    static constexpr auto value =
+        describe<Opacity>("opacity").field("value", &Opacity::value, {.min = 0.0, .max = 1.0});
+};
+template <>
+struct reflection<NearFade> {
+    static constexpr auto value = describe<NearFade>("near_fade")
+                                      .field("gone_m", &NearFade::gone_m, {.unit = "m", .min = 0.0})
+                                      .field("whole_m", &NearFade::whole_m, {.unit = "m", .min = 0.0});
+};
+template <>
+struct reflection<ParticleSource> {
+    static constexpr auto value =
+        describe<ParticleSource>("particle_source")
+            .field("count", &ParticleSource::count, {.min = 1.0, .max = assets::k_max_particles})
+            .field("lifetime_s", &ParticleSource::lifetime_s, {.unit = "s", .min = 0.0})
+            .field("spread_m", &ParticleSource::spread_m, {.unit = "m", .min = 0.0})
+            .field("velocity_m_s", &ParticleSource::velocity_m_s, {.unit = "m/s"})
+            .field("velocity_spread_m_s", &ParticleSource::velocity_spread_m_s, {.unit = "m/s", .min = 0.0})
+            .field("acceleration_m_s2", &ParticleSource::acceleration_m_s2, {.unit = "m/s2"})
+            .field("start_radius_m", &ParticleSource::start_radius_m, {.unit = "m", .min = 0.0})
+            .field("end_radius_m", &ParticleSource::end_radius_m, {.unit = "m", .min = 0.0})
+            .field("seed", &ParticleSource::seed);
+};
+template <>
 struct reflection<LocalLight> {
     static constexpr auto value =
         describe<LocalLight>("local_light")
@@ -219,6 +244,9 @@ ecs::TypeRegistry component_registry() {
     registry.add<Renderable>();
     registry.add<LocalBounds>();
     registry.add<NoShadow>();
+    registry.add<Opacity>();
+    registry.add<NearFade>();
+    registry.add<ParticleSource>();
     registry.add<LocalLight>();
     registry.add<DirectionalLight>();
     registry.add<PathFollower>();

@@ -52,6 +52,14 @@ void check_index(const char* what, std::uint32_t index, std::uint32_t count) {
     throw ecs::SnapshotError{0, fmt::format("{} {}", what, index), fmt::format("one of {}", count)};
 }
 
+void check_sources(const ecs::World& world) {
+    ecs::Query<const ParticleSource>{}.each(world, [](const ParticleSource& source) {
+        if (source.count > assets::k_max_particles)
+            throw ecs::SnapshotError{0, fmt::format("a source of {} particles", source.count),
+                                     fmt::format("at most {}", assets::k_max_particles)};
+    });
+}
+
 /// What deforms uses skeletons, joints and meshes as indices. Clips and nodes that there are not just rest.
 void check_deformed(const ecs::World& world) {
     const ClipLibrary& library = world.resource<ClipLibrary>();
@@ -104,6 +112,7 @@ std::unique_ptr<ecs::World> load_state(std::span<const std::byte> bytes, const e
     take_over<ClipLibrary>(world, spawned);
     check_followers(world);
     check_deformed(world);
+    check_sources(world);
     settle_deformations(world);
     return std::move(restored.world);
 }

@@ -90,8 +90,11 @@ void spawn_actor(ecs::World& world, const assets::Scene& scene, const assets::Ac
     const PathFollower follower = starting(graph, first_link, start);
     const WorldPosition place = place_of(graph, follower);
 
+    // Who walks into the eye must not show what they look like from within.
+    constexpr NearFade k_walker_fade{.gone_m = 0.1f, .whole_m = 0.5f};
+    const std::optional<NearFade> fade = car ? std::nullopt : std::optional{k_walker_fade};
     const SpawnedSubtrees spawned =
-        spawn_subtrees(world, scene, std::span{&start.prototype, 1}, origin, Mobility::moving);
+        spawn_subtrees(world, scene, std::span{&start.prototype, 1}, origin, Mobility::moving, fade);
     const std::vector<SpawnedNode>& parts = spawned.nodes;
     const ecs::Entity root = spawned.root();
     world.add(root, follower);

@@ -24,13 +24,14 @@ SkinSpawner::SkinSpawner(ecs::World& world, const assets::Scene& scene, const Sp
         nodes_[made.node] = made.entity;
 }
 
-void SkinSpawner::add(const SkinnedPart& part) {
+ecs::Entity SkinSpawner::add(const SkinnedPart& part) {
     const ecs::Entity skin = skin_of(part.skeleton);
     const ecs::Entity shown =
         world_.create(WorldTransform{world_.get<WorldTransform>(stand_)}, LocalBounds{},
                       renderable_of(scene_, part.part, true), Skinned{skin}, Parent{part.node});
     if (part.morph != ecs::Entity{}) world_.add(shown, Morphed{part.morph});
     if (!casts_shadows(scene_, part.part)) world_.add(shown, NoShadow{});
+    return shown;
 }
 
 ecs::Entity SkinSpawner::skin_of(std::uint32_t skeleton) {

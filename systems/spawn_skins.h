@@ -25,7 +25,8 @@ public:
     SkinSpawner(ecs::World& world, const assets::Scene& scene, const SpawnedSubtrees& subtrees);
 
     /// Joints that lie in no spawned subtree are warned about and stand at the skin's cell's corner.
-    void add(const SkinnedPart& part);
+    /// @return  what is drawn
+    ecs::Entity add(const SkinnedPart& part);
 
 private:
     [[nodiscard]] ecs::Entity skin_of(std::uint32_t skeleton);

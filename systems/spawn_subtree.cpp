@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "systems/frame.h"
+#include "systems/pack/particles.h"
 #include "systems/position.h"
 #include "systems/simulate/clip_library.h"
 #include "systems/simulate/transform.h"
@@ -57,12 +59,14 @@ LocalLight local_light(const assets::Light& light) {
 
 class Spawner {
 public:
-    Spawner(ecs::World& world, const assets::Scene& scene, const WorldPosition& origin, Mobility mobility)
+    Spawner(ecs::World& world, const assets::Scene& scene, const WorldPosition& origin, Mobility mobility,
+            const std::optional<NearFade>& near_fade)
         : world_{world},
           scene_{scene},
           library_{world.resource<ClipLibrary>()},
           origin_{normalised(origin)},
-          moving_{mobility == Mobility::moving} {}
+          moving_{mobility == Mobility::moving},
+          near_fade_{near_fade} {}
 
     SpawnedSubtrees operator()(std::span<const std::uint32_t> roots) {
         made_.stand = stand_for(roots);
@@ -83,8 +87,10 @@ public:
             }
         }
         SkinSpawner skins{world_, scene_, made_};
-        for (const SkinnedPart& part : skinned_parts_)
-            skins.add(part);
+        for (const SkinnedPart& part : skinned_parts_) {
+            const ecs::Entity shown = skins.add(part);
+            if (near_fade_) world_.add(shown, *near_fade_);
+        }
         return std::move(made_);
     }
 
@@ -149,6 +155,8 @@ private:
         }
         for (const assets::ModelPart& part : skinned)
             skinned_parts_.push_back({part, node.skeleton, entity, is_morphed(part) ? morph : ecs::Entity{}});
+        if (node.emitter != assets::k_none)
+            add_source(scene_.emitters.at(node.emitter), entity, transform, moving);
         if (node.light != assets::k_none) add_light(entity, scene_.lights.at(node.light), placement);
         return entity;
     }
@@ -210,17 +218,33 @@ private:
                             const std::optional<Cell>& cell, const WorldTransform& transform, bool moving) {
         const Renderable renderable = renderable_of(scene_, part, false);
         const LocalBounds bounds = bounds_of(mesh_of(part));
-        const bool casts = casts_shadows(scene_, part);
-        if (cell && casts) return with_mobility(moving, transform, local, renderable, bounds, *cell);
-        if (cell) return with_mobility(moving, transform, local, renderable, bounds, *cell, NoShadow{});
-        if (casts) return with_mobility(moving, transform, local, renderable, bounds, Parent{parent});
-        return with_mobility(moving, transform, local, renderable, bounds, Parent{parent}, NoShadow{});
+        const ecs::Entity entity =
+            cell ? with_mobility(moving, transform, local, renderable, bounds, *cell)
+                 : with_mobility(moving, transform, local, renderable, bounds, Parent{parent});
+        if (!casts_shadows(scene_, part)) world_.add(entity, NoShadow{});
+        if (near_fade_) world_.add(entity, *near_fade_);
+        return entity;
     }
 
     template <class... Cs>
     ecs::Entity with_mobility(bool moving, const WorldTransform& transform, Cs... components) {
         if (moving) return world_.create(transform, PreviousWorldTransform{transform}, components...);
         return world_.create(transform, components...);
+    }
+
+    /// In an entity of its own: the node may show a model as well.
+    void add_source(const assets::Emitter& emitter, ecs::Entity parent, const WorldTransform& transform,
+                    bool moving) {
+        const bool unlit = emitter.material != assets::k_none && scene_.materials.at(emitter.material).unlit;
+        const Pipeline pipeline{
+            .alpha = static_cast<std::uint8_t>(assets::AlphaMode::blend), .unlit = unlit, .haze = true};
+        const Renderable renderable{assets::k_none, emitter.material, pack(pipeline)};
+        ParticleSource source{emitter.count,          emitter.lifetime_s,          emitter.spread_m,
+                              emitter.velocity_m_s,   emitter.velocity_spread_m_s, emitter.acceleration_m_s2,
+                              emitter.start_radius_m, emitter.end_radius_m,        parent.index};
+        const LocalBounds bounds = particle_bounds(source);
+        with_mobility(moving, transform, LocalTransform{}, renderable, bounds, source, Parent{parent},
+                      NoShadow{});
     }
 
     void add_light(ecs::Entity entity, const assets::Light& light, const Placement& placement) {
@@ -247,6 +271,7 @@ private:
     const ClipLibrary& library_;
     WorldPosition origin_;
     bool moving_;
+    std::optional<NearFade> near_fade_;
     bool sun_found_ = false;
     SpawnedSubtrees made_;
     std::vector<SkinnedPart> skinned_parts_;
@@ -256,9 +281,9 @@ private:
 
 SpawnedSubtrees spawn_subtrees(ecs::World& world, const assets::Scene& scene,
                                std::span<const std::uint32_t> roots, const WorldPosition& origin,
-                               Mobility mobility) {
+                               Mobility mobility, const std::optional<NearFade>& near_fade) {
     if (!world.has_resource<ClipLibrary>()) note_clips(world, scene);
-    return Spawner{world, scene, origin, mobility}(roots);
+    return Spawner{world, scene, origin, mobility, near_fade}(roots);
 }
 
 void note_clips(ecs::World& world, const assets::Scene& scene) {

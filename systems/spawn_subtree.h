@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,11 +29,12 @@ struct SpawnedSubtrees {
     [[nodiscard]] ecs::Entity root() const { return stand != ecs::Entity{} ? stand : nodes[0].entity; }
 };
 
-/// Makes entities for the subtrees of `roots`. Throws std::out_of_range for indices that the scene does not
-/// have.
+/// Makes entities for the subtrees of `roots`.
+/// @param near_fade  of every mesh there, if any
+/// @throws std::out_of_range  for indices that the scene does not have
 SpawnedSubtrees spawn_subtrees(ecs::World& world, const assets::Scene& scene,
                                std::span<const std::uint32_t> roots, const WorldPosition& origin,
-                               Mobility mobility);
+                               Mobility mobility, const std::optional<NearFade>& near_fade = {});
 
 /// Makes the scene's clips, skeletons and deformable meshes known to the systems that play them.
 void note_clips(ecs::World& world, const assets::Scene& scene);

@@ -5,6 +5,7 @@
 #include "assets/error.h"
 #include "assets/export/gltf_animation.h"
 #include "assets/export/gltf_buffer.h"
+#include "assets/export/gltf_emitter.h"
 #include "assets/export/gltf_geometry.h"
 #include "assets/export/gltf_material.h"
 #include "assets/export/gltf_view.h"
@@ -33,6 +34,7 @@ public:
         export_models();
         export_skeletons();
         document_.update(views_json(scene_, extensions_));
+        if (!scene_.emitters.empty()) document_["extras"]["ramblaEmitters"] = emitters_json(scene_);
         for (const Node& node : scene_.nodes)
             document_["nodes"].push_back(node_json(node));
         export_clips();
@@ -101,6 +103,7 @@ private:
         }
         if (node.camera != k_none) out["camera"] = node.camera;
         if (node.light != k_none) out["extensions"]["KHR_lights_punctual"]["light"] = node.light;
+        if (node.emitter != k_none) out["extras"]["ramblaEmitter"] = node.emitter;
         if (!node.coarser.empty()) {
             extensions_.insert("MSFT_lod");
             out["extensions"]["MSFT_lod"]["ids"] = node.coarser;

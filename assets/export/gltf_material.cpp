@@ -66,6 +66,7 @@ public:
             height = slot(material_.height_texture);
             height["depth"] = material_.height_depth;
         }
+        if (material_.optical_depth > 0.0f) out["extras"]["ramblaOpticalDepth"] = material_.optical_depth;
         if (material_.light_map_texture.texture != k_none) {
             Json& light_map = out["extras"]["ramblaLightMap"];
             light_map = slot(material_.light_map_texture);

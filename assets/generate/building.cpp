@@ -13,18 +13,21 @@ constexpr float k_parapet_thick_m = 0.25f;
 constexpr float k_mitre = 0.41421356f;  // tan(45° / 2)
 const float k_half_root = std::sqrt(0.5f);
 
-void build_chimney(Builder& b, glm::vec3 foot, float height) {
+/// @return  the middle of its mouth
+glm::vec3 build_chimney(Builder& b, glm::vec3 foot, float height) {
     b.box(Surface::plain, foot + glm::vec3{-0.3f, -0.1f, -0.3f}, foot + glm::vec3{0.3f, height, 0.3f},
           k_all_sides & ~k_side_bottom);
     b.box(Surface::trim, foot + glm::vec3{-0.38f, height, -0.38f},
           foot + glm::vec3{0.38f, height + 0.12f, 0.38f});
     b.box(Surface::plain, foot + glm::vec3{-0.18f, height + 0.12f, -0.18f},
           foot + glm::vec3{0.18f, height + 0.4f, 0.18f}, k_all_sides & ~k_side_bottom);
+    return foot + glm::vec3{0.0f, height + 0.4f, 0.0f};
 }
 
 /// Stair head, chimneys and an aerial on a flat roof.
 /// @param min, max  free rectangle of the roof (x, z)
-void build_roof_things(Builder& b, glm::vec2 min, glm::vec2 max, float roof, Draws& draws) {
+/// @return  the chimneys' mouths
+std::vector<glm::vec3> build_roof_things(Builder& b, glm::vec2 min, glm::vec2 max, float roof, Draws& draws) {
     const float x = draws.between(min.x, max.x - 2.6f);
     const float z = draws.between(min.y, max.y - 2.8f);
     const float head = draws.between(2.2f, 2.8f);
@@ -33,14 +36,17 @@ void build_roof_things(Builder& b, glm::vec2 min, glm::vec2 max, float roof, Dra
     b.box(Surface::roof, {x - 0.15f, roof + head, z - 0.15f}, {x + 2.55f, roof + head + 0.14f, z + 2.75f});
     b.panel(Surface::door, {x + 0.7f, roof}, {x + 1.6f, roof + 2.0f}, z + 2.63f);
     const std::uint32_t chimneys = 1 + draws.below(3);
+    std::vector<glm::vec3> mouths;
     for (std::uint32_t i = 0; i < chimneys; ++i)
-        build_chimney(b, {draws.between(min.x + 0.5f, max.x - 0.5f), roof, draws.between(min.y, max.y)},
-                      draws.between(0.8f, 1.7f));
+        mouths.push_back(
+            build_chimney(b, {draws.between(min.x + 0.5f, max.x - 0.5f), roof, draws.between(min.y, max.y)},
+                          draws.between(0.8f, 1.7f)));
     const glm::vec3 aerial{draws.between(min.x + 0.5f, max.x - 0.5f), roof, draws.between(min.y, max.y)};
     b.box(Surface::iron, aerial + glm::vec3{-0.02f, 0.0f, -0.02f}, aerial + glm::vec3{0.02f, 2.6f, 0.02f});
     for (const float y : {2.0f, 2.25f, 2.5f})
         b.box(Surface::iron, aerial + glm::vec3{-0.5f, y, -0.012f},
               aerial + glm::vec3{0.5f, y + 0.024f, 0.012f});
+    return mouths;
 }
 
 /// A plain wall from p to q (as seen from outside, left to right), foot to `top`.
@@ -50,7 +56,7 @@ void build_plain_wall(Builder& b, glm::vec2 p, glm::vec2 q, float top) {
 
 }  // namespace
 
-std::vector<FacadeLight> build_row_house(Builder& b, float width, const FacadeStyle& style, Draws& draws) {
+HouseExtras build_row_house(Builder& b, float width, const FacadeStyle& style, Draws& draws) {
     const float half = 0.5f * width;
     const float roof = style.roof_height_m();
     std::vector<FacadeLight> lights;
@@ -80,11 +86,12 @@ std::vector<FacadeLight> build_row_house(Builder& b, float width, const FacadeSt
     b.box(Surface::plain, {-half, roof - 0.05f, back}, {half, roof + 0.3f, back + 0.2f},
           k_all_sides & ~k_side_back);
     b.face(Surface::roof, {-half, roof, 0.0f}, {half, roof, 0.0f}, {half, roof, back}, {-half, roof, back});
-    build_roof_things(b, {-half + 0.4f, back + 1.0f}, {half - 0.4f, -2.5f}, roof, draws);
-    return lights;
+    std::vector<glm::vec3> chimneys =
+        build_roof_things(b, {-half + 0.4f, back + 1.0f}, {half - 0.4f, -2.5f}, roof, draws);
+    return {std::move(lights), std::move(chimneys)};
 }
 
-std::vector<FacadeLight> build_corner_house(Builder& b, const FacadeStyle& style, Draws& draws) {
+HouseExtras build_corner_house(Builder& b, const FacadeStyle& style, Draws& draws) {
     // Seen from above in block coordinates (u, v) along the block's two sides, cut corner at (0, 0):
     //
     //   (0,s)──────(s,s)      s = chamfer + side
@@ -147,8 +154,8 @@ std::vector<FacadeLight> build_corner_house(Builder& b, const FacadeStyle& style
     for (std::size_t i = 0; i < outline.size(); ++i)
         outline[i] = {corners[i].x, roof, corners[i].y};
     b.polygon(Surface::roof, outline);
-    build_roof_things(b, {-2.2f, -9.5f}, {2.2f, -4.0f}, roof, draws);
-    return lights;
+    std::vector<glm::vec3> chimneys = build_roof_things(b, {-2.2f, -9.5f}, {2.2f, -4.0f}, roof, draws);
+    return {std::move(lights), std::move(chimneys)};
 }
 
 }  // namespace rambla::assets::generate

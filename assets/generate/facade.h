@@ -52,8 +52,8 @@ struct Glass {
 /// The light of a shop, in the builder's outermost frame.
 struct FacadeLight {
     glm::vec3 position_m{0.0f};
-    bool spot = false;           ///< shines downwards
-    glm::vec3 window_m{0.0f};    ///< before the lower edge of its shop's window
+    bool spot = false;         ///< shines downwards
+    glm::vec3 window_m{0.0f};  ///< before the lower edge of its shop's window
     bool window_shines = true;
     Opening opening{};           ///< of the shop, in `wall`
     std::vector<Glass> glass{};  ///< k_reveal_m behind the opening

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "assets/generate/haze.h"
 #include "assets/generate/node.h"
 
 namespace rambla::assets::generate {
@@ -40,7 +41,7 @@ Houses::Houses(Scene& scene, const Palette& palette, const Evening& evening, std
       lamp_share_{evening.lamps_at_shops} {
     struct Built {
         std::vector<Builder::Part> parts;
-        std::vector<FacadeLight> lights;
+        HouseExtras extras;
         FacadeStyle style;
     };
     constexpr std::size_t k_rows = k_widths_m.size() * k_variants;
@@ -51,11 +52,11 @@ Houses::Houses(Scene& scene, const Palette& palette, const Evening& evening, std
         Built& house = built[i];
         if (i < k_rows) {
             house.style = draw_style(draws, storeys_of(i % k_variants), evening);
-            house.lights = build_row_house(builder, k_widths_m[i / k_variants], house.style, draws);
+            house.extras = build_row_house(builder, k_widths_m[i / k_variants], house.style, draws);
             house.parts = builder.take("house-" + std::to_string(i));
         } else {
             house.style = draw_style(draws, 3 + static_cast<int>(i % 3), evening);
-            house.lights = build_corner_house(builder, house.style, draws);
+            house.extras = build_corner_house(builder, house.style, draws);
             house.parts = builder.take("corner-" + std::to_string(i - k_rows));
         }
     });
@@ -63,9 +64,9 @@ Houses::Houses(Scene& scene, const Palette& palette, const Evening& evening, std
     for (std::size_t i = 0; i < built.size(); ++i) {
         auto& list = i < k_rows ? row_houses_[i / k_variants] : corner_houses_;
         std::vector<std::vector<GlowingGlass>> glass;
-        for (const FacadeLight& light : built[i].lights)
+        for (const FacadeLight& light : built[i].extras.lights)
             glass.push_back(glowing(light));
-        list.push_back({store(scene_, std::move(built[i].parts)), std::move(built[i].lights),
+        list.push_back({store(scene_, std::move(built[i].parts)), std::move(built[i].extras),
                         std::move(glass), built[i].style});
     }
     Draws draws{seed, built.size()};
@@ -73,6 +74,7 @@ Houses::Houses(Scene& scene, const Palette& palette, const Evening& evening, std
         plaster_schemes_.push_back(building_scheme(palette, draws, false));
     for (std::size_t i = 0; i < k_brick_schemes; ++i)
         brick_schemes_.push_back(building_scheme(palette, draws, true));
+    smoke_ = add_smoke(scene_);
     lamp_ = add_lamp(scene_, "shop-lamp", LightKind::point, k_shop_light, 1.6f, 4.5f);
     spot_ = add_lamp(scene_, "shop-spot", LightKind::spot, k_shop_light, 4.0f, 6.0f);
     if (evening.lamps > 0.0f) {
@@ -130,8 +132,13 @@ void Houses::add(const std::vector<House>& houses, int most_storeys, const char*
         local.rotation = aim;
         scene_.nodes[add_node(scene_, what, node, local)].light = light;
     };
-    for (std::size_t i = 0; i < house.lights.size(); ++i) {
-        const FacadeLight& light = house.lights[i];
+    // Somebody cooks in every third house, on one stove.
+    const bool smokes = node % 3 == 0 && !house.extras.chimneys_m.empty();
+    if (smokes)
+        add_emitter_node(scene_, smoke_, node, house.extras.chimneys_m.front(),
+                         scene_.nodes[node].local.rotation);
+    for (std::size_t i = 0; i < house.extras.lights.size(); ++i) {
+        const FacadeLight& light = house.extras.lights[i];
         if (!house.glass[i].empty()) lit_shops_.push_back({at * light.wall, light.opening, house.glass[i]});
         if (window_ != k_none && light.window_shines) shine("shop-window", window_, light.window_m, up);
         if (!draws.chance(lamp_share_)) continue;

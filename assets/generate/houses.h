@@ -31,7 +31,7 @@ public:
 private:
     struct House {
         std::vector<StoredPart> parts;
-        std::vector<FacadeLight> lights;
+        HouseExtras extras;
         std::vector<std::vector<GlowingGlass>> glass;  ///< of each of the lights; empty where it is dark
         FacadeStyle style;
     };
@@ -49,6 +49,7 @@ private:
     std::vector<House> corner_houses_;
     std::vector<Scheme> plaster_schemes_, brick_schemes_;
     std::map<std::pair<const House*, std::size_t>, std::uint32_t> models_;  ///< (house, scheme)
+    std::uint32_t smoke_ = k_none;
     std::uint32_t lamp_ = k_none;
     std::uint32_t spot_ = k_none;
     std::uint32_t window_ = k_none;  ///< of a shop's bright window; k_none by day

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include "assets/generate/furniture.h"
+#include "assets/generate/haze.h"
 #include "assets/generate/houses.h"
 #include "assets/generate/node.h"
 #include "assets/generate/tree.h"
@@ -67,6 +68,10 @@ StreetThings::StreetThings(Scene& scene, const Palette& palette, const StreetPla
     if (evening.lamps == 0.0f) return;
     post_light_ =
         add_lamp(scene_, "street-lamp", LightKind::point, k_light_2700k, 5.0f * evening.lamps, 13.0f);
+    const glm::vec3 glass = evening.lamps * k_light_2700k;
+    glows_ = {add_glow(scene_, "lantern-glow", glass, 0.45f, 0.12f),
+              add_glow(scene_, "lantern-haze", glass, 1.6f, 0.035f)};
+    vapour_ = add_vapour(scene_);
     wall_light_ = add_lamp(scene_, "wall-lamp", LightKind::point, k_light_3000k, 3.0f * evening.lamps, 10.0f);
 }
 
@@ -75,11 +80,16 @@ void StreetThings::add(Thing thing, const Frame& at) {
     const std::uint32_t node = add_node(scene_, k_names[index], k_none, transform_of(at));
     scene_.nodes[node].model = models_[index];
     scene_.roots.push_back(node);
+    const glm::quat rotation = scene_.nodes[node].local.rotation;
+    if (vapour_ != k_none && thing == Thing::manhole && node % 2 == 0)
+        add_emitter_node(scene_, vapour_, node, glm::vec3{0.0f}, rotation);
     if (post_light_ == k_none || (thing != Thing::lamp_post && thing != Thing::wall_lantern)) return;
     Transform flame;
     flame.translation_m = thing == Thing::lamp_post ? k_post_flame_m : k_wall_flame_m;
     scene_.nodes[add_node(scene_, "light", node, flame)].light =
         thing == Thing::lamp_post ? post_light_ : wall_light_;
+    for (const std::uint32_t glow : glows_)
+        add_emitter_node(scene_, glow, node, flame.translation_m, rotation);
 }
 
 void StreetThings::furnish_side(const Frame& at, float length, bool trees, Draws& draws) {

@@ -45,6 +45,9 @@ private:
     std::array<std::uint32_t, k_things> models_{};
     std::uint32_t post_light_ = k_none;  ///< k_none by day
     std::uint32_t wall_light_ = k_none;
+    /// About a lantern, bright and near and faint and far, as what the air scatters falls off; none by day.
+    std::vector<std::uint32_t> glows_;
+    std::uint32_t vapour_ = k_none;  ///< k_none by day, when it is warm
 };
 
 }  // namespace rambla::assets::generate

@@ -2,6 +2,7 @@
 
 #include "assets/import/gltf_clip.h"
 #include "assets/import/gltf_convert.h"
+#include "assets/import/gltf_emitter.h"
 #include "assets/import/gltf_instances.h"
 #include "assets/import/gltf_material.h"
 #include "assets/import/gltf_scene.h"
@@ -22,8 +23,10 @@ namespace gltf {
 std::vector<MissingColumns> convert_data(Document& document, Scene& scene) {
     scene.name = document.path.stem().string();
     import_materials(document, scene);
+    import_emitters(document, scene);
     std::vector<MissingColumns> missing = import_meshes(document, scene);
     import_nodes(document, scene);
+    spend_particles(document, scene);
     import_skins(document, scene);
     import_clips(document, scene);
     import_instances(document, scene);

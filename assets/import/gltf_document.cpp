@@ -210,7 +210,7 @@ void Document::spend(std::string_view element, std::uint64_t wanted) {
     std::uint64_t before = left.load();
     do {
         if (wanted > before)
-            fail(element, std::to_string(wanted) + " more vertices or indices",
+            fail(element, std::to_string(wanted) + " more vertices, indices or particles",
                  "at most " + std::to_string(before) + " for a file of this size");
     } while (!left.compare_exchange_weak(before, before - wanted));
 }

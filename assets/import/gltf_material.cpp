@@ -37,6 +37,7 @@ public:
         material_.unlit = extension("KHR_materials_unlit") != nullptr;
         read_dielectric();
         read_height();
+        read_optical_depth();
         read_light_map();
         return std::move(material_);
     }
@@ -183,6 +184,18 @@ private:
         material_.light_map_strength = std::max(strength, 0.0f);
         if (strength < 0.0f)
             document_.warn(element_ + ".extras." + name + ".strength", "is no number from 0 on, 0 is used");
+    }
+
+    /// Nor haze.
+    void read_optical_depth() {
+        const std::string name = "ramblaOpticalDepth";
+        if (!source_.extras.IsObject() || !source_.extras.Has(name)) return;
+        const float depth = number_of(source_.extras, name, -1.0f);
+        material_.optical_depth = std::clamp(depth, 0.0f, k_max_optical_depth);
+        if (depth != material_.optical_depth)
+            document_.warn(element_ + ".extras." + name,
+                           "is no number from 0 to " + number_text(k_max_optical_depth) + ", " +
+                               number_text(material_.optical_depth) + " is used");
     }
 
     const Document& document_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "assets/import/gltf_emitter.h"
 #include "assets/import/gltf_files.h"
 #include "assets/import/gltf_lod.h"
 #include "assets/import/gltf_morph.h"
@@ -88,6 +89,7 @@ Node import_node(const Document& document, const Scene& scene, std::size_t index
     if (source.camera >= 0)
         node.camera = document.checked(source.camera, scene.cameras.size(), element + ".camera", "camera");
     node.light = light_of(document, source, element);
+    node.emitter = emitter_of(document, scene, source, element);
     if (!source.weights.empty()) {
         const std::size_t targets = node.model == k_none ? 0 : scene.models[node.model].morph_weights.size();
         node.morph_weights = morph_weights(document, source.weights, targets, element + ".weights");

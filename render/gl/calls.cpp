@@ -91,7 +91,7 @@ void count_calls() {
              &glVertexArrayVertexBuffer>();
     take_all<CallKind::query, &glBeginQuery, &glDebugMessageCallback, &glDebugMessageControl, &glDeleteSync,
              &glEndConditionalRender, &glEndQuery, &glFenceSync, &glFlush, &glMemoryBarrier, &glObjectLabel,
-             &glPopDebugGroup, &glPushDebugGroup, &glQueryCounter>();
+             &glPopDebugGroup, &glPushDebugGroup, &glQueryCounter, &glTextureBarrier>();
     // Conditional rendering waits for its query: the GPU does, or the driver of a rasteriser on the CPU.
     take_all<CallKind::wait, &glBeginConditionalRender, &glFinish, &glGetQueryObjectui64v>();
     take_all<CallKind::pace, &glClientWaitSync>();

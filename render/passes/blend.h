@@ -1,20 +1,30 @@
 #pragma once
 
+#include <array>
+
+#include "assets/material.h"
 #include "render/pass_context.h"
 #include "render/passes/forward_programs.h"
 
 namespace rambla::render {
 
-/// Forward pass of transparent surfaces over the lit picture, back to front, with the lighting functions of
-/// the deferred passes. Without such surfaces there is no pass.
+/// Forward pass over the lit picture, back to front, with the lighting functions of the deferred passes:
+/// transparent surfaces, things that fade, and balls of haze. Without any of them there is no pass.
 class BlendPass {
 public:
-    explicit BlendPass(gl::ProgramRegistry& programs) : programs_{programs} {}
+    explicit BlendPass(gl::ProgramRegistry& programs) : programs_{programs}, surfaces_{programs} {}
 
     void add(RenderGraph& graph, FrameResources& resources);
 
 private:
-    ForwardPrograms programs_;
+    [[nodiscard]] const gl::Program& surface_program(const FrameResources& resources,
+                                                     systems::Pipeline pipeline,
+                                                     const assets::Material& look);
+    [[nodiscard]] const gl::Program& haze_program(bool shadowed, bool wide_filter, Brdf brdf);
+
+    gl::ProgramRegistry& programs_;
+    ForwardPrograms surfaces_;
+    std::array<const gl::Program*, 4 * k_brdf_models.size()> haze_{};
 };
 
 }  // namespace rambla::render

@@ -44,7 +44,7 @@ void write_or_test_depth(PassBuilder& pass, FrameResources& resources) {
     }
     const TextureHandle depth =
         pass.create_texture("depth", {.format = GL_DEPTH_COMPONENT32F, .size = resources.size_px()});
-    resources.depth = pass.write_depth(depth, LoadOp::clear);
+    resources.depth = resources.solid_depth = pass.write_depth(depth, LoadOp::clear);
 }
 
 void enable_depth(bool known) {

@@ -33,7 +33,13 @@ TextureHandle shown(const FrameResources& resources, DebugView view) {
         case DebugView::overdraw:
             break;
     }
-    return resources.depth;
+    return resources.solid_depth;
+}
+
+/// Where the picture that a view is made from shows anything: what fades is part of the lit one alone.
+TextureHandle depth_of(const FrameResources& resources, DebugView view) {
+    const bool lit = view == DebugView::luminance || view == DebugView::nonfinite;
+    return lit ? resources.depth : resources.solid_depth;
 }
 
 }  // namespace
@@ -100,18 +106,19 @@ void DebugViewPass::add(RenderGraph& graph, FrameResources& resources) {
         view == DebugView::overdraw ? add_overdraw(graph, resources) : shown(resources, view);
     const bool tiles = view == DebugView::tiles;
     const bool missing = !source.valid() || (tiles && !resources.tiles.valid());
+    const TextureHandle depth = depth_of(resources, view);
     const gl::Program& show = program(view, missing, resources.settings.gbuffer.layout);
     graph.add_pass(
         "debug view",
         [&](PassBuilder& pass) {
             if (!missing) pass.read(source);
-            if (!missing) pass.read(resources.depth);
+            if (!missing) pass.read(depth);
             if (!missing && tiles) read_tiles(pass, resources.tiles);
             resources.backbuffer = pass.write_colour(0, resources.backbuffer, LoadOp::discard);
         },
-        [&resources, &show, source, missing, tiles](PassContext& context) {
+        [&resources, &show, source, depth, missing, tiles](PassContext& context) {
             if (!missing) {
-                context.bind_texture(UNIT_PASS, resources.depth, resources.samplers.nearest);
+                context.bind_texture(UNIT_PASS, depth, resources.samplers.nearest);
                 context.bind_texture(UNIT_PASS + 1, source, resources.samplers.nearest);
                 if (tiles) bind_tiles(context, resources.tiles);
             }

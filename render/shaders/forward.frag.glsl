@@ -8,13 +8,7 @@
 #include "sun_and_sky.glsl"
 #include "local_lights.glsl"
 #include "colour.glsl"
-#if SHADOW_MAP
-#include "shadow_lookup.glsl"
-layout(binding = UNIT_BESIDE_MATERIALS) uniform sampler2DShadow sun_shadow_map;
-layout(std140, binding = BINDING_PASS_UNIFORMS) uniform SunShadowBlock {
-    SunShadow shadow;
-};
-#endif
+#include "sun_reaches.glsl"
 
 #if BLENDED
 layout(location = 0, index = 0) out vec4 out_radiance;
@@ -22,24 +16,6 @@ layout(location = 0, index = 1) out vec4 out_passes;  ///< share of what lies be
 #else
 layout(location = 0) out vec4 out_radiance;
 #endif
-
-/// As the shadow result's byte holds it.
-float sun_reaches(vec3 normal) {
-#if SHADOW_MAP
-    vec3 to_sun = frame.direction_to_sun.xyz;
-    vec3 point = shadow_receiver(varyings.position, normal, to_sun, shadow.bias_m);
-    vec3 place = (shadow.map_from_world * vec4(point, 1.0)).xyz;
-#if TAPS == 16
-    float lit = shadow_pcf_16(sun_shadow_map, place.xy, place.z, shadow.size_texels);
-#else
-    float lit = shadow_pcf_4(sun_shadow_map, place.xy, place.z, shadow.size_texels);
-#endif
-    lit = dot(normal, to_sun) > 0.0 ? shadow_fade(lit, length(varyings.position), shadow.fade) : 0.0;
-    return round(lit * 255.0) / 255.0;
-#else
-    return 1.0;
-#endif
-}
 
 void main() {
     Material m = materials[varyings.material];
@@ -66,7 +42,7 @@ void main() {
     const vec3 goes_through = vec3(0.0);
 #endif
 
-    vec3 radiance = sky_light(s, to_eye) + sun_light(s, to_eye, sun_reaches(normal)) +
+    vec3 radiance = sky_light(s, to_eye) + sun_light(s, to_eye, sun_reaches(varyings.position, normal)) +
                     directional_lights(s, to_eye) + local_lights(s, varyings.position, to_eye, distance_m);
     bool unlit = (m.flags & k_material_unlit) != 0u;
     radiance = unlit ? vec3(0.0) : radiance;
@@ -78,7 +54,7 @@ void main() {
     radiance += kept_emission(unlit ? base.rgb : emission);
 #endif
 #if BLENDED
-    float alpha = m.alpha_mode == k_alpha_blend ? clamp(base.a, 0.0, 1.0) : 1.0;
+    float alpha = (m.alpha_mode == k_alpha_blend ? clamp(base.a, 0.0, 1.0) : 1.0) * varyings.opacity;
     out_passes = vec4(1.0 - alpha + alpha * goes_through, 1.0 - alpha);
 #else
     const float alpha = 1.0;

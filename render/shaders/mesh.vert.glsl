@@ -37,6 +37,7 @@ void main() {
                             handedness * tangent.w);
     varyings.colour = vertex_colour;
     varyings.material = material_row(instance);
+    varyings.opacity = instance_opacity(instance);
     Material m = materials[varyings.material];
     varyings.base_colour_uv = transformed_uv(m.base_colour_uv, uv0, uv1);
 #if DETAIL >= 1

@@ -11,7 +11,12 @@ layout(std430, binding = BINDING_MATERIALS) readonly buffer MaterialBlock {
 
 /// The default material stands behind the scene's own, and is the one of instances that name none.
 uint material_row(Instance instance) {
-    return min(instance.material, uint(materials.length()) - 1u);
+    return min(instance.material & k_instance_material_mask, uint(materials.length()) - 1u);
+}
+
+/// What is left of an instance that fades, [0, 1].
+float instance_opacity(Instance instance) {
+    return 1.0 - float(instance.material >> k_instance_fade_shift) / 255.0;
 }
 
 vec3 world_from_local(Instance instance, vec3 local) {

@@ -68,9 +68,10 @@ std::uint32_t Culling::broken_bounds() const {
 
 template <class Query>
 void Culling::collect(ecs::World& world, Query& query, bool casts_shadows) {
-    for (auto [entities, now, renderables, bounds, before, skins, morphs] : query.chunks(world)) {
-        chunks_.push_back(
-            {entities, now, before, renderables, bounds, skins, morphs, casts_shadows, rows_, 0});
+    for (auto [entities, now, renderables, bounds, before, skins, morphs, opacities, near_fades, sources] :
+         query.chunks(world)) {
+        chunks_.push_back({entities, now, before, renderables, bounds, skins, morphs, opacities, near_fades,
+                           sources, casts_shadows, rows_, 0});
         rows_ += static_cast<std::uint32_t>(entities.size());
     }
 }

@@ -23,8 +23,11 @@ struct LookChunk {
     std::span<const PreviousWorldTransform> before;  ///< empty: at rest
     std::span<const Renderable> renderables;
     std::span<const LocalBounds> bounds;
-    std::span<const Skinned> skins;   ///< empty: rigid
-    std::span<const Morphed> morphs;  ///< empty: not morphed
+    std::span<const Skinned> skins;           ///< empty: rigid
+    std::span<const Morphed> morphs;          ///< empty: not morphed
+    std::span<const Opacity> opacities;       ///< empty: whole
+    std::span<const NearFade> near_fades;     ///< empty: as whole near the eye as anywhere
+    std::span<const ParticleSource> sources;  ///< empty: meshes
     bool casts_shadows = true;
     std::uint32_t first_row = 0;
     std::uint32_t broken_bounds = 0;  ///< NaN or infinite
@@ -51,7 +54,8 @@ private:
     template <class Filter>
     using Drawn = ecs::Query<ecs::Entity, const WorldTransform, const Renderable, const LocalBounds,
                              ecs::Optional<const PreviousWorldTransform>, ecs::Optional<const Skinned>,
-                             ecs::Optional<const Morphed>, Filter>;
+                             ecs::Optional<const Morphed>, ecs::Optional<const Opacity>,
+                             ecs::Optional<const NearFade>, ecs::Optional<const ParticleSource>, Filter>;
 
     template <class Query>
     void collect(ecs::World& world, Query& query, bool casts_shadows);

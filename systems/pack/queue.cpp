@@ -1,10 +1,31 @@
 #include "systems/pack/queue.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "assets/material.h"
+#include "systems/pack/fading.h"
+#include "systems/pack/particles.h"
 
 namespace rambla::systems {
+namespace {
+
+bool is_blended(std::uint32_t pipeline) {
+    return unpack_pipeline(pipeline).alpha == static_cast<std::uint8_t>(assets::AlphaMode::blend);
+}
+
+/// By what a space of this map scales balls, which stay balls in it: no more than any of its axes or any axis
+/// of the world, so that the box of a box around a ball encloses it.
+float ball_scale(const glm::mat3& linear) {
+    const glm::mat3 rows = glm::transpose(linear);
+    float least = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+        least = std::min({least, glm::length(linear[axis]), glm::length(rows[axis])});
+    return least;
+}
+
+}  // namespace
 
 void append_draw(std::vector<DrawBatch>& queue, std::uint32_t pipeline, std::uint32_t material,
                  std::uint32_t mesh, std::uint32_t instance) {
@@ -39,18 +60,28 @@ void PackQueues::operator()(const Culling& culling, const Observer& observer, gl
         column->clear();
 
     deformed_.begin(deformed, frame);
-    make_keys(culling, forward, facts, deformed, frame);
+    make_keys(culling, observer, forward, facts, deformed, frame);
     sort_(keys_, rows_);
 
     const BoxColumns boxes = culling.boxes();
+    const auto row_count = static_cast<std::uint32_t>(culling.seen_by().size());
     for (std::size_t i = 0; i < keys_.size(); ++i) {
         const std::uint32_t row = rows_[i];
+        if (row >= row_count) {
+            const std::uint32_t source = balls_[row - row_count].row;
+            const LookChunk& of_source = culling.chunks()[chunk_of_row_[source]];
+            // Not mirrored: what stands for a ball faces the eye in any space.
+            const Renderable& haze = of_source.renderables[source - of_source.first_row];
+            append_draw(frame.blended, haze.pipeline, haze.material, assets::k_none,
+                        add_particle_instance(culling, row - row_count, frame));
+            continue;
+        }
         const LookChunk& chunk = culling.chunks()[chunk_of_row_[row]];
         const Renderable& drawn = chunk.renderables[row - chunk.first_row];
         const std::uint32_t instance = add_instance(culling, observer, row, deformed, frame);
         if (pass_of(keys_[i]) == DrawPass::surfaces) {
             const bool blended = blend_class_of(keys_[i]) == BlendClass::blended;
-            append_draw(blended ? frame.blended : frame.opaque, pipeline_of_row_[row], drawn.material,
+            append_draw(blended ? frame.blended : frame.opaque, surface_pipeline(row), drawn.material,
                         drawn.mesh, instance);
             continue;
         }
@@ -67,15 +98,17 @@ void PackQueues::operator()(const Culling& culling, const Observer& observer, gl
     }
 }
 
-void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const MaterialFacts& facts,
-                           const DeformationSource& deformed, Frame& frame) {
+void PackQueues::make_keys(const Culling& culling, const Observer& observer, glm::vec3 forward,
+                           const MaterialFacts& facts, const DeformationSource& deformed, Frame& frame) {
     keys_.clear();
     rows_.clear();
+    balls_.clear();
     const std::span<const std::uint32_t> seen_by = culling.seen_by();
     const BoxColumns boxes = culling.boxes();
     chunk_of_row_.resize(seen_by.size());
     instance_of_row_.assign(seen_by.size(), assets::k_none);
     pipeline_of_row_.resize(seen_by.size());
+    faded_row_.resize(seen_by.size());
     frame.visible = {};
     frame.needs_emission = false;
     frame.counts.visible = 0;
@@ -95,27 +128,17 @@ void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const Mate
             const std::uint32_t pipeline = drawn.pipeline | pack(mirror);
             chunk_of_row_[row] = c;
             pipeline_of_row_[row] = pipeline;
+            faded_row_[row] = 0;
             // What lies hidden comes last among equal casters: the visible ones then share consecutive
             // instances with the opaque queue, and merge into as few draws.
             float depth_m = std::numeric_limits<float>::infinity();
             if (visible) {
-                const glm::vec3 centre{boxes.centre_x[row], boxes.centre_y[row], boxes.centre_z[row]};
-                const glm::vec3 half{boxes.half_x[row], boxes.half_y[row], boxes.half_z[row]};
-                frame.visible.expand(assets::Bounds{centre - half, centre + half});
-                depth_m = glm::dot(forward, centre);
-                const bool blended =
-                    unpack_pipeline(pipeline).alpha == static_cast<std::uint8_t>(assets::AlphaMode::blend);
-                keys_.push_back(
-                    blended
-                        ? blended_key(DrawPass::surfaces, 0, depth_m, pipeline, drawn.material)
-                        : opaque_key(DrawPass::surfaces, 0, pipeline, drawn.material, drawn.mesh, depth_m));
-                rows_.push_back(row);
-                ++frame.counts.visible;
-                frame.needs_emission |= unpack_pipeline(pipeline).unlit;
-                frame.needs_emission |=
-                    drawn.material < facts.needs_emission.size() && facts.needs_emission[drawn.material] != 0;
+                const LocalBounds box{{boxes.centre_x[row], boxes.centre_y[row], boxes.centre_z[row]},
+                                      {boxes.half_x[row], boxes.half_y[row], boxes.half_z[row]}};
+                depth_m = glm::dot(forward, box.centre_m);
+                add_surface(chunk, row, observer, forward, facts, box, frame);
             }
-            if (casts) {
+            if (casts && chunk.sources.empty()) {
                 keys_.push_back(
                     opaque_key(DrawPass::shadow_casters, 0, pipeline, drawn.material, drawn.mesh, depth_m));
                 rows_.push_back(row);
@@ -123,6 +146,76 @@ void PackQueues::make_keys(const Culling& culling, glm::vec3 forward, const Mate
             }
         }
     }
+}
+
+std::uint32_t PackQueues::surface_pipeline(std::uint32_t row) const {
+    const std::uint32_t pipeline = pipeline_of_row_[row];
+    const bool whole = faded_row_[row] == 0 || is_blended(pipeline);
+    return whole ? pipeline : pipeline | pack(Pipeline{.fading = true});
+}
+
+void PackQueues::add_surface(const LookChunk& chunk, std::uint32_t row, const Observer& observer,
+                             glm::vec3 forward, const MaterialFacts& facts, const LocalBounds& box,
+                             Frame& frame) {
+    const std::size_t i = row - chunk.first_row;
+    const std::uint8_t gone = faded(chunk, i, box);
+    faded_row_[row] = gone;
+    if (gone == k_faded_away) return;
+    frame.visible.expand(
+        assets::Bounds{box.centre_m - box.half_extents_m, box.centre_m + box.half_extents_m});
+    ++frame.counts.visible;
+    if (!chunk.sources.empty()) {
+        add_particles(chunk, row, observer, forward, frame);
+        return;
+    }
+    const Renderable& drawn = chunk.renderables[i];
+    const std::uint32_t pipeline = surface_pipeline(row);
+    const float depth_m = glm::dot(forward, box.centre_m);
+    const bool blended = is_blended(pipeline) || unpack_pipeline(pipeline).fading;
+    keys_.push_back(blended
+                        ? blended_key(DrawPass::surfaces, 0, depth_m, pipeline, drawn.material)
+                        : opaque_key(DrawPass::surfaces, 0, pipeline, drawn.material, drawn.mesh, depth_m));
+    rows_.push_back(row);
+    frame.needs_emission |= unpack_pipeline(pipeline).unlit;
+    frame.needs_emission |=
+        drawn.material < facts.needs_emission.size() && facts.needs_emission[drawn.material] != 0;
+}
+
+void PackQueues::add_particles(const LookChunk& chunk, std::uint32_t row, const Observer& observer,
+                               glm::vec3 forward, Frame& frame) {
+    const std::size_t i = row - chunk.first_row;
+    const ParticleSource& source = chunk.sources[i];
+    const Renderable& drawn = chunk.renderables[i];
+    const Placement place = chunk.placement_of(i, observer);
+    const float scale = ball_scale(place.linear);
+    const float left = 1.0f - static_cast<float>(faded_row_[row]) / 255.0f;
+    const auto row_count = static_cast<std::uint32_t>(faded_row_.size());
+    for (std::uint32_t number = 0; number < source.count; ++number) {
+        const Particle particle = particle_at(source, number, frame.time_s);
+        const std::uint8_t gone = faded(particle.opacity * left);
+        if (gone == k_faded_away) continue;
+        const Ball ball{place.linear * particle.centre_m + place.translation_m, scale * particle.radius_m,
+                        row, gone};
+        const float depth_m = glm::dot(forward, ball.centre_m);
+        const bool is_somewhere = std::isfinite(depth_m) && std::isfinite(ball.radius_m);
+        if (!is_somewhere || depth_m + ball.radius_m < 0.0f) continue;
+        keys_.push_back(blended_key(DrawPass::surfaces, 0, depth_m, drawn.pipeline, drawn.material));
+        rows_.push_back(row_count + static_cast<std::uint32_t>(balls_.size()));
+        balls_.push_back(ball);
+    }
+}
+
+std::uint32_t PackQueues::add_particle_instance(const Culling& culling, std::uint32_t index, Frame& frame) {
+    const Ball& ball = balls_[index];
+    const LookChunk& chunk = culling.chunks()[chunk_of_row_[ball.row]];
+    const std::size_t i = ball.row - chunk.first_row;
+    Instance& made = frame.instances.emplace_back();
+    made.row0 = {ball.radius_m, 0.0f, 0.0f, ball.centre_m.x};
+    made.row1 = {0.0f, ball.radius_m, 0.0f, ball.centre_m.y};
+    made.row2 = {0.0f, 0.0f, ball.radius_m, ball.centre_m.z};
+    made.material = instance_material(chunk.renderables[i].material, ball.faded);
+    made.object = chunk.entities[i].index;
+    return static_cast<std::uint32_t>(frame.instances.size() - 1);
 }
 
 std::uint32_t PackQueues::add_instance(const Culling& culling, const Observer& observer, std::uint32_t row,
@@ -138,7 +231,7 @@ std::uint32_t PackQueues::add_instance(const Culling& culling, const Observer& o
     made.row0 = glm::vec4{rows[0], place.translation_m.x};
     made.row1 = glm::vec4{rows[1], place.translation_m.y};
     made.row2 = glm::vec4{rows[2], place.translation_m.z};
-    made.material = chunk.renderables[i].material;
+    made.material = instance_material(chunk.renderables[i].material, faded_row_[row]);
     made.object = chunk.entities[i].index;
     if (!chunk.skins.empty()) {
         made.joints =

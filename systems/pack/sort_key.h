@@ -41,7 +41,7 @@ enum class BlendClass : std::uint8_t { opaque, blended };
            (static_cast<SortKey>(blend) << 56u);
 }
 
-/// @param pipeline  pack(Pipeline), 9 bits
+/// @param pipeline  pack(Pipeline), of which the low 9 bits count: the others are of blended things alone
 /// @param depth_m   distance along the view; its exponent and 7 bits of its mantissa are kept, which is
 /// monotone
 [[nodiscard]] constexpr SortKey opaque_key(DrawPass pass, std::uint32_t view, std::uint32_t pipeline,
@@ -51,7 +51,8 @@ enum class BlendClass : std::uint8_t { opaque, blended };
            (ordered_depth(depth_m) >> 16u);
 }
 
-/// Far things first; the whole float counts.
+/// Far things first; the whole float counts. Equally far ones are in the order of the low 9 bits of their
+/// pipelines, then of their materials.
 [[nodiscard]] constexpr SortKey blended_key(DrawPass pass, std::uint32_t view, float depth_m,
                                             std::uint32_t pipeline, std::uint32_t material) {
     return key_head(pass, view, BlendClass::blended) |

@@ -97,10 +97,18 @@ public:
         bool casts = true;
         std::vector<glm::mat4> world_from_mesh{};  ///< by joint; empty: not skinned
         std::vector<systems::MorphTerm> morphs{};  ///< of the mesh's own targets; empty: not morphed
+        std::uint8_t faded = 0;                    ///< of 255
+    };
+    /// Of haze, drawn after the things, in the order of the list.
+    struct Ball {
+        glm::vec3 centre_m{0.0f};
+        float radius_m = 1.0f;
+        std::uint32_t material = 0;
+        std::uint8_t faded = 0;  ///< of 255
     };
     void place(std::uint32_t mesh_index, std::uint32_t material_index,
                const glm::mat4& world_from_local = glm::mat4{1.0f}, bool casts = true) {
-        things.push_back({mesh_index, material_index, world_from_local, casts, {}, {}});
+        things.push_back({mesh_index, material_index, world_from_local, casts, {}, {}, 0});
     }
 
     void look(glm::vec3 from, glm::vec3 to, float vertical_fov_rad = 1.0f, glm::vec3 up = {0, 1, 0}) {
@@ -153,6 +161,7 @@ public:
 
     assets::Scene scene;
     std::vector<Thing> things;
+    std::vector<Ball> balls;
     systems::Frame frame;  ///< environment, lights and view are the test's; queues are filled by draw()
     render::Settings settings;
     glm::vec3 eye{0.0f};
@@ -182,9 +191,29 @@ private:
         frame.needs_emission = false;
         for (const Thing& thing : things)
             pack(thing);
+        for (const Ball& ball : balls)
+            pack(ball);
+    }
+    void pack(const Ball& ball) {
+        const systems::Pipeline pipeline{.alpha = static_cast<std::uint8_t>(assets::AlphaMode::blend),
+                                         .unlit = scene.materials[ball.material].unlit,
+                                         .haze = true};
+        frame.blended.push_back({.pipeline = systems::pack(pipeline),
+                                 .material = ball.material,
+                                 .mesh = assets::k_none,
+                                 .first_instance = static_cast<std::uint32_t>(frame.instances.size()),
+                                 .instance_count = 1});
+        const glm::vec3 centre = ball.centre_m - eye;
+        const float r = ball.radius_m;
+        frame.instances.push_back({.row0 = {r, 0, 0, centre.x},
+                                   .row1 = {0, r, 0, centre.y},
+                                   .row2 = {0, 0, r, centre.z},
+                                   .material = systems::instance_material(ball.material, ball.faded)});
+        frame.visible.expand(assets::Bounds{centre - r, centre + r});
     }
     void pack(const Thing& thing) {
         const assets::Material& m = scene.materials[thing.material];
+        const bool translucent = assets::drawn_as(m) == assets::AlphaMode::blend;
         const glm::mat4 relative = glm::translate(glm::mat4{1.0f}, -eye) * thing.world_from_local;
         const glm::mat4 rows = glm::transpose(relative);
         const systems::Pipeline pipeline{
@@ -194,7 +223,8 @@ private:
             .topology = static_cast<std::uint8_t>(scene.meshes[thing.mesh].topology),
             .unlit = m.unlit,
             .skinned = !thing.world_from_mesh.empty(),
-            .morphed = !thing.morphs.empty()};
+            .morphed = !thing.morphs.empty(),
+            .fading = thing.faded > 0 && !translucent};
         const systems::DrawBatch batch{.pipeline = systems::pack(pipeline),
                                        .material = thing.material,
                                        .mesh = thing.mesh,
@@ -203,16 +233,16 @@ private:
         frame.instances.push_back({.row0 = rows[0],
                                    .row1 = rows[1],
                                    .row2 = rows[2],
-                                   .material = thing.material,
+                                   .material = systems::instance_material(thing.material, thing.faded),
                                    .joints = static_cast<std::uint32_t>(frame.joints.size()),
                                    .morphs = static_cast<std::uint32_t>(frame.morphs.size())});
         const assets::Bounds box = deform(thing, relative);
         frame.visible.expand(box);
-        const bool blended = assets::drawn_as(m) == assets::AlphaMode::blend;
+        const bool blended = translucent || thing.faded > 0;
         (blended ? frame.blended : frame.opaque).push_back(batch);
         if (m.unlit || glm::dot(m.emissive, glm::vec3{1.0f}) > 0.0f || assets::is_light_mapped(m))
             frame.needs_emission = frame.needs_emission || !blended;
-        if (!thing.casts || blended) return;
+        if (!thing.casts || translucent) return;
         systems::CasterColumns& c = frame.casters;
         c.centre_x.push_back(box.centre().x);
         c.centre_y.push_back(box.centre().y);
@@ -220,7 +250,9 @@ private:
         c.half_x.push_back(box.half_extents().x);
         c.half_y.push_back(box.half_extents().y);
         c.half_z.push_back(box.half_extents().z);
-        c.pipeline.push_back(batch.pipeline);
+        systems::Pipeline caster = pipeline;
+        caster.fading = false;
+        c.pipeline.push_back(systems::pack(caster));
         c.material.push_back(batch.material);
         c.mesh.push_back(batch.mesh);
         c.instance.push_back(batch.first_instance);

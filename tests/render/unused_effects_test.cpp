@@ -75,6 +75,10 @@ TEST(UnusedEffects, LeaveTheFrameAsItWasToTheCallAndTheByte) {
     changes_and_comes_back(
         "pre-pass", [&] { settings.lighting.prepass = true; }, [&] { settings.lighting.prepass = false; });
     changes_and_comes_back(
+        "haze", [&] { stage.balls = {{.material = 0}}; }, [&] { stage.balls.clear(); });
+    changes_and_comes_back(
+        "fading", [&] { stage.things[0].faded = 100; }, [&] { stage.things[0].faded = 0; });
+    changes_and_comes_back(
         "no shadows", [&] { settings.shadows.method = render::ShadowMethod::off; },
         [&] { settings.shadows.method = render::ShadowMethod::focused; });
     changes_and_comes_back(

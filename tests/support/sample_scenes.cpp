@@ -149,8 +149,27 @@ Scene standing_scene() {
                      .range_m = 12,
                      .inner_cone_rad = 0.25f,
                      .outer_cone_rad = 0.5f}};
+    Material smoke;
+    smoke.name = "smoke";
+    smoke.optical_depth = 0.75f;
+    scene.materials.push_back(smoke);
+    scene.emitters = {{.name = "glow",
+                       .material = static_cast<std::uint32_t>(scene.materials.size() - 1),
+                       .start_radius_m = 0.5f,
+                       .end_radius_m = 0.5f},
+                      {.name = "fountain",
+                       .material = static_cast<std::uint32_t>(scene.materials.size() - 1),
+                       .count = 12,
+                       .lifetime_s = 2.5f,
+                       .spread_m = 0.1f,
+                       .velocity_m_s = {0.5f, 6, -0.25f},
+                       .velocity_spread_m_s = 0.3f,
+                       .acceleration_m_s2 = {0, -9.81f, 0},
+                       .start_radius_m = 0.05f,
+                       .end_radius_m = 0.4f}};
     scene.nodes.resize(4);
     scene.nodes[0].name = "root";
+    scene.nodes[0].emitter = 1;
     scene.nodes[0].children = {1, 2};
     scene.nodes[0].local.translation_m = {1, 2, 3};
     scene.nodes[1] = {

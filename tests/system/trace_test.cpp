@@ -93,7 +93,8 @@ TEST_F(TraceProgram, AWalkHasEverySystemAndEveryPassOfEveryFrame) {
     for (const char* const side : {"pass,cpu", "pass,gpu"}) {
         const auto of_frames = runs(read.of(side), "frame");
         for (const nlohmann::json& pass : table) {
-            ASSERT_EQ(pass["frames"], 2) << "the small city has no pass that comes and goes";
+            if (pass["name"] == "blend") continue;  // smoke comes into view and goes
+            ASSERT_EQ(pass["frames"], 2) << pass["name"] << " comes and goes";
             for (std::uint64_t frame = 0; frame < k_frames; ++frame) {
                 const auto found = of_frames.find({pass["name"], frame});
                 ASSERT_NE(found, of_frames.end()) << side << ' ' << pass["name"] << ' ' << frame;

@@ -44,8 +44,8 @@ struct Material {
     UvTransform height_uv;
     UvTransform transmission_uv;
     UvTransform light_map_uv;
-    vec4 transmission;  // x: share of a dielectric's light that goes through; y: factor of the light map; zw:
-                        // padding
+    vec4 transmission;  // x: share of a dielectric's light that goes through; y: factor of the light map; z:
+                        // optical depth of a ball of haze through its middle; w: padding
 };
 SHARED_END
 

@@ -32,6 +32,13 @@ std::size_t lights(const Scene& scene, const std::string& name) {
     return count;
 }
 
+std::size_t emitters(const Scene& scene, const std::string& name) {
+    std::size_t count = 0;
+    for (const Node& node : scene.nodes)
+        count += node.emitter != k_none && scene.emitters[node.emitter].name == name ? 1 : 0;
+    return count;
+}
+
 glm::vec3 emission(const Scene& scene, const std::string& material) {
     for (const Material& m : scene.materials)
         if (m.name == material) return m.emissive;
@@ -83,6 +90,11 @@ TEST(Evening, StreetLampsShineAtNightOnly) {
     EXPECT_EQ(lights(night, "street-lamp"), posts);
     EXPECT_EQ(lights(night, "wall-lamp"), lanterns);
     EXPECT_GT(emission(night, "street-lantern").x, 0.2f);
+    EXPECT_EQ(emitters(night, "lantern-glow"), posts + lanterns);
+    EXPECT_EQ(emitters(day, "lantern-glow"), 0u);
+    EXPECT_GT(emitters(night, "vapour"), 0u);
+    EXPECT_EQ(emitters(day, "vapour"), 0u);
+    EXPECT_GT(emitters(day, "smoke"), 0u) << "somebody always cooks";
     EXPECT_GT(lights(night, "shop-lamp") + lights(night, "shop-spot"),
               lights(day, "shop-lamp") + lights(day, "shop-spot"));
     EXPECT_EQ(lights(day, "shop-window"), 0u);

@@ -185,7 +185,7 @@ TEST(GltfClips, ManyChannelsOfTheSameKeysCannotFillTheMemory) {
     }
     EXPECT_THAT(draft.error(R"(,"nodes":[)" + nodes + R"(],"animations":[{"channels":[)" + channels +
                             R"(],"samplers":[{"input":0,"output":1}]}])"),
-                HasSubstr("more vertices or indices"));
+                HasSubstr("more vertices, indices or particles"));
 }
 
 Channel channel_of(std::vector<float> times, std::vector<float> values) {

@@ -127,7 +127,7 @@ TEST(GltfErrors, SmallFilesCannotFillTheMemory) {
                                           R"("byteLength":360000}],"accessors":[)" +
                                           accessors + R"(],"meshes":[{"primitives":[)" + primitives + "]}]}",
                                       std::string(360000, '\1'))),
-                HasSubstr("more vertices or indices"));
+                HasSubstr("more vertices, indices or particles"));
 }
 
 TEST(GltfErrors, DeepNestingIsRefusedBeforeAnythingRecurses) {

@@ -98,7 +98,7 @@ TEST(GltfInstancing, InstancesCannotFillTheMemory) {
     Draft draft = corners();
     draft.add_text(R"({"componentType":5126,"count":900000,"type":"VEC3"})");
     EXPECT_THAT(draft.error(instanced(R"("attributes":{"TRANSLATION":1})")),
-                HasSubstr("more vertices or indices"));
+                HasSubstr("more vertices, indices or particles"));
 }
 
 std::string levels(const std::string& ids, const std::string& more = {}) {

@@ -207,7 +207,7 @@ TEST(GltfSkins, ManySetsOfJointsCannotBuyTimeWithoutBytes) {
     for (int set = 0; set < 3; ++set)
         for (const char* name : {"JOINTS_", "WEIGHTS_"})
             attributes.append(",\"").append(name).append(std::to_string(set)).append("\":1");
-    EXPECT_THAT(draft.error(skinned(attributes, 1)), HasSubstr("more vertices or indices"));
+    EXPECT_THAT(draft.error(skinned(attributes, 1)), HasSubstr("more vertices, indices or particles"));
 }
 
 }  // namespace

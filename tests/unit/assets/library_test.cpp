@@ -24,11 +24,14 @@ Scene scene_of_two() {
         model.parts = {{1, 1}, {0, k_none}};
     scene.cameras.resize(2);
     scene.lights.resize(2);
+    scene.emitters.resize(2);
+    for (Emitter& emitter : scene.emitters)
+        emitter.material = 1;
     scene.nodes.resize(2);
     scene.nodes[0].children = {1};
     scene.nodes[1].parent = 0;
     for (Node& node : scene.nodes) {
-        node.model = node.camera = node.light = node.skeleton = 1;
+        node.model = node.camera = node.light = node.emitter = node.skeleton = 1;
         node.coarser = {1, 0};
     }
     scene.skeletons.resize(2);
@@ -45,7 +48,7 @@ TEST(Library, AppendShiftsEveryIndex) {
     Scene world = scene_of_two();
     const SceneOffsets at = append(world, scene_of_two());
     for (const std::uint32_t offset : {at.images, at.textures, at.materials, at.meshes, at.models, at.cameras,
-                                       at.lights, at.nodes, at.skeletons, at.clips})
+                                       at.lights, at.emitters, at.nodes, at.skeletons, at.clips})
         EXPECT_EQ(offset, 2u);
     EXPECT_EQ(world.textures[3].image, 3u);
     for_each_texture_slot(world.materials[3], [](const TextureSlot& slot) { EXPECT_EQ(slot.texture, 3u); });
@@ -56,6 +59,8 @@ TEST(Library, AppendShiftsEveryIndex) {
     EXPECT_EQ(node.parent, 2u);
     EXPECT_THAT(world.nodes[2].children, ElementsAre(3));
     EXPECT_EQ(world.nodes[2].parent, k_none);
+    EXPECT_EQ(world.emitters[3].material, 3u);
+    EXPECT_EQ(node.emitter, 3u);
     EXPECT_EQ(node.model, 3u);
     EXPECT_EQ(node.camera, 3u);
     EXPECT_EQ(node.light, 3u);

@@ -16,6 +16,7 @@ void expect_equal(const Texture& a, const Texture& b);
 void expect_equal(const Image& a, const Image& b);
 void expect_equal(const Camera& a, const Camera& b);
 void expect_equal(const Light& a, const Light& b);
+void expect_equal(const Emitter& a, const Emitter& b);
 void expect_equal(const Node& a, const Node& b);
 void expect_equal(const Skeleton& a, const Skeleton& b);
 void expect_equal(const Channel& a, const Channel& b);
@@ -51,6 +52,7 @@ void expect_equal(const Material& a, const Material& b) {
     EXPECT_EQ(a.specular_colour, b.specular_colour);
     EXPECT_EQ(a.transmission, b.transmission);
     EXPECT_EQ(a.height_depth, b.height_depth);
+    EXPECT_EQ(a.optical_depth, b.optical_depth);
     EXPECT_EQ(a.light_map_strength, b.light_map_strength);
     EXPECT_EQ(a.alpha_mode, b.alpha_mode);
     if (a.alpha_mode == AlphaMode::mask) {
@@ -146,6 +148,19 @@ void expect_equal(const Light& a, const Light& b) {
     EXPECT_EQ(a.outer_cone_rad, b.outer_cone_rad);
 }
 
+void expect_equal(const Emitter& a, const Emitter& b) {
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.material, b.material);
+    EXPECT_EQ(a.count, b.count);
+    EXPECT_EQ(a.lifetime_s, b.lifetime_s);
+    EXPECT_EQ(a.spread_m, b.spread_m);
+    EXPECT_EQ(a.velocity_m_s, b.velocity_m_s);
+    EXPECT_EQ(a.velocity_spread_m_s, b.velocity_spread_m_s);
+    EXPECT_EQ(a.acceleration_m_s2, b.acceleration_m_s2);
+    EXPECT_EQ(a.start_radius_m, b.start_radius_m);
+    EXPECT_EQ(a.end_radius_m, b.end_radius_m);
+}
+
 void expect_equal(const Node& a, const Node& b) {
     SCOPED_TRACE(a.name);
     EXPECT_EQ(a.name, b.name);
@@ -157,6 +172,7 @@ void expect_equal(const Node& a, const Node& b) {
     EXPECT_EQ(a.model, b.model);
     EXPECT_EQ(a.camera, b.camera);
     EXPECT_EQ(a.light, b.light);
+    EXPECT_EQ(a.emitter, b.emitter);
     EXPECT_EQ(a.skeleton, b.skeleton);
     EXPECT_EQ(a.morph_weights, b.morph_weights);
     EXPECT_EQ(a.coarser, b.coarser);
@@ -197,6 +213,7 @@ void expect_equal(const Scene& scene, const Scene& back) {
     expect_equal_models(scene, back);
     expect_all_equal(scene.cameras, back.cameras);
     expect_all_equal(scene.lights, back.lights);
+    expect_all_equal(scene.emitters, back.emitters);
     expect_all_equal(scene.nodes, back.nodes);
     std::vector<Skeleton> skeletons = scene.skeletons;
     std::erase_if(skeletons, [](const Skeleton& skeleton) { return skeleton.joints.empty(); });

@@ -191,6 +191,16 @@ TEST_F(Walk, WhatMovesIsNotSolid) {
     EXPECT_NEAR(feet(walked(start, surroundings, 5.0f)).z, -10.0f, 1e-2f);
 }
 
+TEST_F(Walk, HazeIsNotSolid) {
+    add_ground();
+    world.create(systems::WorldTransform{.linear = glm::mat3{1.0f}}, systems::Renderable{},
+                 systems::LocalBounds{{0, 1, -5}, glm::vec3{2.0f}}, systems::ParticleSource{});
+    Surroundings surroundings{world, scene};
+    const Player start =
+        player_at(origin, {0.0f, k_eye_height_m, 0.0f}, {0.0f, k_eye_height_m, -1.0f}, surroundings);
+    EXPECT_NEAR(feet(walked(start, surroundings, 5.0f)).z, -10.0f, 1e-2f);
+}
+
 TEST_F(Walk, FarWallsAreFoundWhenOneGetsThere) {
     add_ground();
     add_box({-10.0f, 0.0f, -46.0f}, {10.0f, 5.0f, -44.0f});

@@ -94,6 +94,25 @@ TEST(WarmUp, DrawsEveryMaterialOnceForEachWayToDeform) {
     }
 }
 
+TEST(WarmUp, DrawsWhatFadesAndHazeToo) {
+    assets::Scene scene = all_kinds();
+    const std::size_t blended = warm_up_frames(scene, {}).front().frame.blended.size();
+    // Of the materials, 0 is opaque, 4 masked and 8 transparent, which is blended anyway. 0 deforms in four
+    // ways.
+    const std::vector<std::uint32_t> fading{0, 4, 8, assets::k_none};
+    const systems::Frame frame = warm_up_frames(scene, {}, fading).front().frame;
+    EXPECT_EQ(frame.blended.size(), blended + 4 + 1 + 1);
+    for (const systems::DrawBatch& batch : frame.blended) {
+        const systems::Instance& instance = frame.instances[batch.first_instance];
+        const bool faded = instance.material >> systems::k_instance_fade_shift != 0;
+        EXPECT_EQ(systems::unpack_pipeline(batch.pipeline).fading, faded);
+    }
+    scene.emitters.emplace_back().material = 0;
+    const systems::Frame hazy = warm_up_frames(scene, {}).front().frame;
+    ASSERT_EQ(hazy.blended.size(), blended + 1);
+    EXPECT_TRUE(systems::unpack_pipeline(hazy.blended.back().pipeline).haze);
+}
+
 TEST(WarmUp, IsForTheSettingsThatFramesWillHave) {
     const assets::Scene scene = all_kinds();
     constexpr std::size_t k_ways = k_lighting_paths.size() + 1;  // the last one: volumes that are solid

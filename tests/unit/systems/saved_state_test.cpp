@@ -62,6 +62,9 @@ TEST(SavedState, OfAnotherPlaceIsRefused) {
     EXPECT_THROW((void)load_state(bytes, *world, later), ecs::SnapshotError) << "other lamps burn";
     ecs::World empty;
     EXPECT_THROW((void)load_state(bytes, empty, k_city), ecs::SnapshotError) << "actors without paths";
+    world->create(ParticleSource{.count = assets::k_max_particles + 1});
+    EXPECT_THROW((void)load_state(save_state(*world, k_city), *world, k_city), ecs::SnapshotError)
+        << "more particles than memory may hold";
 }
 
 TEST(Reflection, DescribesEveryComponentOfASpawnedCity) {

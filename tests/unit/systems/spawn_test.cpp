@@ -112,6 +112,52 @@ TEST(Spawn, PipelinesFollowMaterialAndMesh) {
     EXPECT_TRUE(world.has<NoShadow>(spawned.nodes[2]));
 }
 
+TEST(Spawn, EmittersBecomeSourcesBesideWhatTheirNodeShows) {
+    assets::Scene scene = box_scene();
+    assets::Material& smoke = scene.materials.emplace_back();
+    smoke.optical_depth = 1.0f;
+    assets::Emitter& emitter = scene.emitters.emplace_back();
+    emitter.material = 1;
+    emitter.count = 5;
+    emitter.lifetime_s = 2.0f;
+    emitter.velocity_m_s = {0, 1, 0};
+    scene.nodes[add_node(scene, k_none, {.translation_m = {1, 2, 3}})].model = 0;
+    scene.nodes[0].emitter = 0;
+    ecs::World world;
+    const SpawnedScene spawned = spawn(world, scene, {});
+    ecs::Query<const ParticleSource, const Renderable, const LocalBounds, const WorldTransform, const Parent,
+               ecs::With<NoShadow>>
+        query;
+    ASSERT_EQ(query.count(world), 1u);
+    query.each(world, [&](const ParticleSource& source, const Renderable& drawn, const LocalBounds& box,
+                          const WorldTransform& at, const Parent& parent) {
+        EXPECT_EQ(source.count, 5u);
+        EXPECT_EQ(source.velocity_m_s, glm::vec3(0, 1, 0));
+        EXPECT_EQ(drawn.mesh, k_none);
+        EXPECT_EQ(drawn.material, 1u);
+        EXPECT_TRUE(unpack_pipeline(drawn.pipeline).haze);
+        EXPECT_EQ(at.translation_m, glm::vec3(1, 2, 3));
+        EXPECT_EQ(parent.entity, spawned.nodes[0]);
+        EXPECT_GT(box.half_extents_m.y, 1.9f);
+    });
+    EXPECT_EQ(world.get<Renderable>(spawned.nodes[0]).mesh, 0u);
+}
+
+TEST(Spawn, WalkersFadeBeforeTheEyeIsInThemAndCarsDoNot) {
+    ecs::World world;
+    spawn(world, test::small_place(2, 2), {}, 1);
+    std::size_t of_walkers = 0;
+    ecs::Query<ecs::Entity, const NearFade>{}.each(world, [&](ecs::Entity entity, const NearFade& fade) {
+        EXPECT_LT(fade.gone_m, fade.whole_m);
+        ecs::Entity root = entity;
+        while (world.has<Parent>(root))
+            root = world.get<Parent>(root).entity;
+        EXPECT_TRUE(world.has<Gait>(root));
+        ++of_walkers;
+    });
+    EXPECT_GT(of_walkers, 2u);
+}
+
 TEST(Spawn, LightsReachAsFarAsTheyMatter) {
     assets::Scene scene;
     scene.lights = {light("lamp", assets::LightKind::point, {1, 0.5f, 0.25f}, 4.0f),

@@ -1,0 +1,72 @@
+// A ball of haze over the lit picture, by how much of it lies before what the pixel shows: a depth impostor. It is lit
+// like a surface that faces outwards where the look enters it, without highlights. The alpha of its base colour, whatever
+// the alpha mode, says how much it scatters and hides; what it emits comes on top, so that alpha 0 is a glow before
+// which nothing vanishes. Defines: SHADOW_MAP, TAPS, LOCAL_LIGHTS, BRDF.
+#include "frame.glsl"
+#include "scene_buffers.glsl"
+#include "gbuffer_layout.glsl"
+#include "unproject.glsl"
+#include "sun_and_sky.glsl"
+#include "local_lights.glsl"
+#include "sun_reaches.glsl"
+#include "haze.glsl"
+
+#define VARYING in
+#include "haze_varyings.glsl"
+
+layout(binding = UNIT_BESIDE_MATERIALS + 1) uniform sampler2D depth_target;
+
+layout(location = 0, index = 0) out vec4 out_radiance;
+layout(location = 0, index = 1) out vec4 out_passes;  ///< share of what lies behind
+
+struct Look {
+    vec3 origin;     ///< camera-relative world
+    vec3 direction;  ///< unit length
+    Stretch clear;   ///< from the near plane to what the pixel shows
+};
+
+Look look_of_pixel() {
+    vec2 uv = gl_FragCoord.xy * frame.size_px.zw;
+    float depth = texelFetch(depth_target, ivec2(gl_FragCoord.xy), 0).x;
+    mat3 to_world = mat3(frame.world_from_view);
+    const float endless_m = 1e30;
+    if (frame.counts.y != 0u) {
+        vec3 near = view_position(uv, 1.0, frame.unprojection, frame.depth_scale);
+        float far_m = near.z - view_position(uv, depth, frame.unprojection, frame.depth_scale).z;
+        return Look(to_world * near, -to_world[2], Stretch(0.0, depth > 0.0 ? far_m : endless_m));
+    }
+    vec3 ray = view_ray(uv, frame.unprojection, frame.depth_scale);
+    float near_m = frame.depth_scale.x / -ray.z;
+    return Look(vec3(0.0), to_world * ray, Stretch(near_m, depth > 0.0 ? near_m / depth : endless_m));
+}
+
+vec3 light_on(Material m, vec3 normal, vec3 position, vec3 to_eye) {
+    Surface s = Surface(normal, m.base_colour.rgb, vec3(0.0), 0.0, 1.0, 1.0);
+    float distance_m = dot(position, -frame.world_from_view[2].xyz);
+    return sky_light(s, to_eye) + sun_light(s, to_eye, sun_reaches(position, normal)) +
+           directional_lights(s, to_eye) + local_lights(s, position, to_eye, distance_m);
+}
+
+void main() {
+    Material m = materials[ball.material];
+    Look look = look_of_pixel();
+    vec3 centre = ball.centre_radius.xyz - look.origin;
+    float radius = ball.centre_radius.w;
+    float thickness = m.transmission.z * haze_share(centre, radius, look.direction, look.clear);
+    float cover = ball.opacity * (1.0 - exp(-thickness));
+
+    vec3 entry = haze_entry(centre, radius, look.direction, look.clear.near) * look.direction;
+    vec3 outwards = (entry - centre) / radius;
+    vec3 position = entry + look.origin;
+    // Within the ball there is ever less of a side that faces outwards, and none in its middle, where the direction
+    // outwards turns from one pixel to the next.
+    float sided = clamp(length(outwards), 0.0, 1.0);
+    vec3 to_eye = -look.direction;
+    vec3 lit = sided * light_on(m, outwards / max(sided, 1e-6), position, to_eye) +
+               (1.0 - sided) * light_on(m, to_eye, position, to_eye);
+    bool unlit = (m.flags & k_material_unlit) != 0u;
+    float alpha = clamp(m.base_colour.a, 0.0, 1.0);
+    vec3 radiance = unlit ? m.base_colour.rgb * alpha : lit * alpha + m.emissive_cutoff.rgb;
+    out_passes = vec4(1.0 - cover * alpha);
+    out_radiance = vec4(storable_radiance(radiance * (cover * frame.exposure.x)), cover * alpha);
+}
