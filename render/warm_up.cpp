@@ -82,18 +82,18 @@ void add_caster(systems::CasterColumns& casters, const systems::DrawBatch& batch
 }
 
 void add_haze(systems::Frame& frame, const assets::Scene& scene) {
-    if (scene.emitters.empty()) return;
-    const systems::Pipeline pipeline{.alpha = static_cast<std::uint8_t>(assets::AlphaMode::blend),
-                                     .haze = true};
-    const std::uint32_t material = scene.emitters.front().material;
-    frame.blended.push_back({.pipeline = systems::pack(pipeline),
-                             .material = material,
-                             .mesh = assets::k_none,
-                             .first_instance = static_cast<std::uint32_t>(frame.instances.size()),
-                             .instance_count = 1});
-    systems::Instance& ball = frame.instances.emplace_back();
-    ball.row2.w = -k_light_distance_m;
-    ball.material = systems::instance_material(material, 0);
+    for (const assets::Emitter& emitter : scene.emitters) {
+        const systems::Pipeline pipeline{.alpha = static_cast<std::uint8_t>(assets::AlphaMode::blend),
+                                         .haze = true};
+        frame.blended.push_back({.pipeline = systems::pack(pipeline),
+                                 .material = emitter.material,
+                                 .mesh = assets::k_none,
+                                 .first_instance = static_cast<std::uint32_t>(frame.instances.size()),
+                                 .instance_count = 1});
+        systems::Instance& ball = frame.instances.emplace_back();
+        ball.row2.w = -k_light_distance_m;
+        ball.material = systems::instance_material(emitter.material, 0);
+    }
 }
 
 /// The last opaque thing once more, as what fades.

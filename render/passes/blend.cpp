@@ -17,18 +17,23 @@ bool contains(const FrameResources& resources, bool systems::Pipeline::*feature)
 
 }  // namespace
 
-const gl::Program& BlendPass::haze_program(bool shadowed, bool wide_filter, Brdf brdf) {
+const gl::Program& BlendPass::haze_program(const FrameResources& resources, const assets::Material& look) {
+    const bool lit = look.base_colour.w > 0.0f && !look.unlit;
+    const bool shadowed = lit && resources.shadow_map.valid();
+    const bool wide_filter = shadowed && resources.settings.shadows.taps == ShadowTaps::sixteen;
+    const auto brdf = lit ? static_cast<std::size_t>(resources.settings.brdf.model) : 0;
     const gl::Program*& variant =
-        haze_[4 * static_cast<std::size_t>(brdf) + (shadowed ? 2u : 0u) + (wide_filter ? 1u : 0u)];
+        haze_[8 * brdf + (lit ? 4u : 0u) + (shadowed ? 2u : 0u) + (wide_filter ? 1u : 0u)];
     if (variant == nullptr) {
         variant = &programs_.get({.name = "haze",
                                   .vertex = "haze.vert.glsl",
                                   .fragment = "haze.frag.glsl",
                                   .compute = {},
-                                  .defines = {{"SHADOW_MAP", shadowed ? "1" : "0"},
+                                  .defines = {{"LIT", lit ? "1" : "0"},
+                                              {"SHADOW_MAP", shadowed ? "1" : "0"},
                                               {"TAPS", wide_filter ? "16" : "4"},
                                               {"LOCAL_LIGHTS", "LOCAL_LIGHTS_CELL"},
-                                              {"BRDF", std::to_string(static_cast<int>(brdf))}}});
+                                              {"BRDF", std::to_string(brdf)}}});
     }
     return *variant;
 }
@@ -84,14 +89,13 @@ void BlendPass::add(RenderGraph& graph, FrameResources& resources) {
             // Of the one target alone: a second source for others, even absent ones, is more than OpenGL
             // promises.
             glBlendFunci(0, GL_ONE, GL_SRC1_COLOR);
-            const bool wide = shadowed && resources.settings.shadows.taps == ShadowTaps::sixteen;
             resources.counts += resources.blended.draw(
                 resources.scene,
                 [&](systems::Pipeline pipeline, std::uint32_t material) -> const gl::Program& {
-                    if (!pipeline.haze)
-                        return surface_program(resources, pipeline, resources.scene.material(material));
+                    const assets::Material& look = resources.scene.material(material);
+                    if (!pipeline.haze) return surface_program(resources, pipeline, look);
                     if (fading) glTextureBarrier();  // haze reads what fading things before it have written
-                    return haze_program(shadowed, wide, resources.settings.brdf.model);
+                    return haze_program(resources, look);
                 });
         });
 }

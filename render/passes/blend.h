@@ -20,11 +20,13 @@ private:
     [[nodiscard]] const gl::Program& surface_program(const FrameResources& resources,
                                                      systems::Pipeline pipeline,
                                                      const assets::Material& look);
-    [[nodiscard]] const gl::Program& haze_program(bool shadowed, bool wide_filter, Brdf brdf);
+    /// What scatters nothing need not be lit.
+    [[nodiscard]] const gl::Program& haze_program(const FrameResources& resources,
+                                                  const assets::Material& look);
 
     gl::ProgramRegistry& programs_;
     ForwardPrograms surfaces_;
-    std::array<const gl::Program*, 4 * k_brdf_models.size()> haze_{};
+    std::array<const gl::Program*, 8 * k_brdf_models.size()> haze_{};
 };
 
 }  // namespace rambla::render

@@ -1,14 +1,16 @@
 // A ball of haze over the lit picture, by how much of it lies before what the pixel shows: a depth impostor. It is lit
 // like a surface that faces outwards where the look enters it, without highlights. The alpha of its base colour, whatever
 // the alpha mode, says how much it scatters and hides; what it emits comes on top, so that alpha 0 is a glow before
-// which nothing vanishes. Defines: SHADOW_MAP, TAPS, LOCAL_LIGHTS, BRDF.
+// which nothing vanishes. Defines: LIT (0: it scatters nothing, or is unlit), SHADOW_MAP, TAPS, LOCAL_LIGHTS, BRDF.
 #include "frame.glsl"
 #include "scene_buffers.glsl"
 #include "gbuffer_layout.glsl"
 #include "unproject.glsl"
+#if LIT
 #include "sun_and_sky.glsl"
 #include "local_lights.glsl"
 #include "sun_reaches.glsl"
+#endif
 #include "haze.glsl"
 
 #define VARYING in
@@ -40,12 +42,32 @@ Look look_of_pixel() {
     return Look(vec3(0.0), to_world * ray, Stretch(near_m, depth > 0.0 ? near_m / depth : endless_m));
 }
 
+#if LIT
 vec3 light_on(Material m, vec3 normal, vec3 position, vec3 to_eye) {
     Surface s = Surface(normal, m.base_colour.rgb, vec3(0.0), 0.0, 1.0, 1.0);
     float distance_m = dot(position, -frame.world_from_view[2].xyz);
     return sky_light(s, to_eye) + sun_light(s, to_eye, sun_reaches(position, normal)) +
            directional_lights(s, to_eye) + local_lights(s, position, to_eye, distance_m);
 }
+
+/// Radiance that all of the haze sends towards the eye, were it opaque.
+vec3 scattered(Material m, vec3 centre, float radius, Look look) {
+    vec3 entry = haze_entry(centre, radius, look.direction, look.clear.near) * look.direction;
+    vec3 outwards = (entry - centre) / radius;
+    vec3 position = entry + look.origin;
+    // Within the ball there is ever less of a side that faces outwards, and none in its middle, where the direction
+    // outwards turns from one pixel to the next.
+    float sided = clamp(length(outwards), 0.0, 1.0);
+    vec3 to_eye = -look.direction;
+    return sided * light_on(m, outwards / max(sided, 1e-6), position, to_eye) +
+           (1.0 - sided) * light_on(m, to_eye, position, to_eye);
+}
+#else
+vec3 scattered(Material m, vec3 centre, float radius, Look look) {
+    bool unlit = (m.flags & k_material_unlit) != 0u;
+    return unlit ? m.base_colour.rgb : vec3(0.0);
+}
+#endif
 
 void main() {
     Material m = materials[ball.material];
@@ -55,18 +77,10 @@ void main() {
     float thickness = m.transmission.z * haze_share(centre, radius, look.direction, look.clear);
     float cover = ball.opacity * (1.0 - exp(-thickness));
 
-    vec3 entry = haze_entry(centre, radius, look.direction, look.clear.near) * look.direction;
-    vec3 outwards = (entry - centre) / radius;
-    vec3 position = entry + look.origin;
-    // Within the ball there is ever less of a side that faces outwards, and none in its middle, where the direction
-    // outwards turns from one pixel to the next.
-    float sided = clamp(length(outwards), 0.0, 1.0);
-    vec3 to_eye = -look.direction;
-    vec3 lit = sided * light_on(m, outwards / max(sided, 1e-6), position, to_eye) +
-               (1.0 - sided) * light_on(m, to_eye, position, to_eye);
-    bool unlit = (m.flags & k_material_unlit) != 0u;
     float alpha = clamp(m.base_colour.a, 0.0, 1.0);
-    vec3 radiance = unlit ? m.base_colour.rgb * alpha : lit * alpha + m.emissive_cutoff.rgb;
+    bool unlit = (m.flags & k_material_unlit) != 0u;
+    vec3 emission = unlit ? vec3(0.0) : m.emissive_cutoff.rgb;
+    vec3 radiance = alpha * scattered(m, centre, radius, look) + emission;
     out_passes = vec4(1.0 - cover * alpha);
     out_radiance = vec4(storable_radiance(radiance * (cover * frame.exposure.x)), cover * alpha);
 }
