@@ -178,6 +178,9 @@ TEST(Haze, IsSeenWholeFromAnywhereAlsoFromWithin) {
     }
     ball = {{3, 0, -2}, 2.9f, ball.material, 0};
     smoky.expect_as_expected("large, beside the eye");
+    // The plane that touches it comes nearer than the near plane where the picture ends.
+    ball = {1.0505f * glm::vec3{std::sin(0.45f), 0, -std::cos(0.45f)}, 1.0f, ball.material, 0};
+    smoky.expect_as_expected("almost at the eye, aside");
     ball = {{0, 0, -2}, 0.001f, ball.material, 0};
     smoky.expect_as_expected("smaller than a pixel");
     ball = {{0, 0, -900}, 890.0f, ball.material, 0};
