@@ -39,15 +39,15 @@ std::uint32_t add_glow(Scene& scene, const std::string& name, glm::vec3 radiance
 std::uint32_t add_smoke(Scene& scene) {
     Emitter emitter;
     emitter.name = "smoke";
-    emitter.count = 14;
+    emitter.count = 32;  // so many that each begins before the one below has left
     emitter.lifetime_s = 7.0f;
     emitter.spread_m = 0.05f;
-    emitter.velocity_m_s = {0.15f, 0.8f, 0.0f};
+    emitter.velocity_m_s = {0.1f, 0.55f, 0.0f};
     emitter.velocity_spread_m_s = 0.1f;
     emitter.acceleration_m_s2 = {0.12f, -0.04f, 0.03f};
-    emitter.start_radius_m = 0.15f;
+    emitter.start_radius_m = 0.22f;
     emitter.end_radius_m = 1.0f;
-    return add(scene, std::move(emitter), haze(0.6f, 0.9f));
+    return add(scene, std::move(emitter), haze(0.6f, 0.55f));
 }
 
 std::uint32_t add_vapour(Scene& scene) {
