@@ -84,7 +84,7 @@ struct Material {
     TextureSlot light_map_texture;
 };
 
-inline constexpr float k_max_height_depth = 0.25f;  ///< of Material::height_depth;
+inline constexpr float k_max_height_depth = 0.25f;  ///< of Material::height_depth
 
 inline constexpr float k_max_optical_depth = 100.0f;  ///< of Material::optical_depth
 

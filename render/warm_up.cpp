@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <compare>
 #include <map>
+#include <set>
 
 #include "assets/environment.h"
 
@@ -81,18 +82,22 @@ void add_caster(systems::CasterColumns& casters, const systems::DrawBatch& batch
     casters.instance.push_back(batch.first_instance);
 }
 
+/// A ball of each material that emitters use.
 void add_haze(systems::Frame& frame, const assets::Scene& scene) {
-    for (const assets::Emitter& emitter : scene.emitters) {
+    std::set<std::uint32_t> materials;
+    for (const assets::Emitter& emitter : scene.emitters)
+        if (emitter.material != assets::k_none) materials.insert(emitter.material);
+    for (const std::uint32_t material : materials) {
         const systems::Pipeline pipeline{.alpha = static_cast<std::uint8_t>(assets::AlphaMode::blend),
                                          .haze = true};
         frame.blended.push_back({.pipeline = systems::pack(pipeline),
-                                 .material = emitter.material,
+                                 .material = material,
                                  .mesh = assets::k_none,
                                  .first_instance = static_cast<std::uint32_t>(frame.instances.size()),
                                  .instance_count = 1});
         systems::Instance& ball = frame.instances.emplace_back();
         ball.row2.w = -k_light_distance_m;
-        ball.material = systems::instance_material(emitter.material, 0);
+        ball.material = systems::instance_material(material, 0);
     }
 }
 

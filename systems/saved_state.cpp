@@ -7,6 +7,7 @@
 
 #include "ecs/query.h"
 #include "ecs/snapshot.h"
+#include "systems/frame.h"
 #include "systems/look/texture_uses.h"
 #include "systems/reflection.h"
 #include "systems/simulate/clip_library.h"
@@ -52,11 +53,20 @@ void check_index(const char* what, std::uint32_t index, std::uint32_t count) {
     throw ecs::SnapshotError{0, fmt::format("{} {}", what, index), fmt::format("one of {}", count)};
 }
 
+/// Haze comes from sources, of which each particle takes memory, and from nothing else.
 void check_sources(const ecs::World& world) {
     ecs::Query<const ParticleSource>{}.each(world, [](const ParticleSource& source) {
         if (source.count > assets::k_max_particles)
             throw ecs::SnapshotError{0, fmt::format("a source of {} particles", source.count),
                                      fmt::format("at most {}", assets::k_max_particles)};
+    });
+    ecs::Query<const Renderable, ecs::With<ParticleSource>>{}.each(world, [](const Renderable& drawn) {
+        if (!unpack_pipeline(drawn.pipeline).haze || drawn.mesh != assets::k_none)
+            throw ecs::SnapshotError{0, "a source that is drawn as a mesh", "one that is drawn as haze"};
+    });
+    ecs::Query<const Renderable, ecs::Without<ParticleSource>>{}.each(world, [](const Renderable& drawn) {
+        if (unpack_pipeline(drawn.pipeline).haze || drawn.mesh == assets::k_none)
+            throw ecs::SnapshotError{0, "haze, or no mesh, without a source", "a mesh"};
     });
 }
 

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "assets/assert.h"
 #include "assets/generate/building.h"
 #include "assets/process/srgb.h"
 

@@ -6,7 +6,7 @@ namespace rambla::assets::generate {
 
 namespace {
 
-/// @return  the emitter's index; its material is of its name
+/// Adds both; the material gets the emitter's name. @return  the emitter's index
 std::uint32_t add(Scene& scene, Emitter emitter, Material material) {
     material.name = emitter.name;
     emitter.material = static_cast<std::uint32_t>(scene.materials.size());

@@ -132,8 +132,8 @@ void Houses::add(const std::vector<House>& houses, int most_storeys, const char*
         local.rotation = aim;
         scene_.nodes[add_node(scene_, what, node, local)].light = light;
     };
-    // Somebody cooks in every third house, on one stove.
-    const bool smokes = node % 3 == 0 && !house.extras.chimneys_m.empty();
+    // Somebody cooks in every third house, on one stove, at any time of day.
+    const bool smokes = houses_added_++ % 3 == 0 && !house.extras.chimneys_m.empty();
     if (smokes)
         add_emitter_node(scene_, smoke_, node, house.extras.chimneys_m.front(),
                          scene_.nodes[node].local.rotation);

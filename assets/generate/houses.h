@@ -50,6 +50,7 @@ private:
     std::vector<Scheme> plaster_schemes_, brick_schemes_;
     std::map<std::pair<const House*, std::size_t>, std::uint32_t> models_;  ///< (house, scheme)
     std::uint32_t smoke_ = k_none;
+    std::uint32_t houses_added_ = 0;
     std::uint32_t lamp_ = k_none;
     std::uint32_t spot_ = k_none;
     std::uint32_t window_ = k_none;  ///< of a shop's bright window; k_none by day

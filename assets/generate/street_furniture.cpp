@@ -81,8 +81,8 @@ void StreetThings::add(Thing thing, const Frame& at) {
     scene_.nodes[node].model = models_[index];
     scene_.roots.push_back(node);
     const glm::quat rotation = scene_.nodes[node].local.rotation;
-    if (vapour_ != k_none && thing == Thing::manhole && node % 2 == 0)
-        add_emitter_node(scene_, vapour_, node, glm::vec3{0.0f}, rotation);
+    const bool steams = thing == Thing::manhole && manholes_added_++ % 2 == 0;
+    if (steams && vapour_ != k_none) add_emitter_node(scene_, vapour_, node, glm::vec3{0.0f}, rotation);
     if (post_light_ == k_none || (thing != Thing::lamp_post && thing != Thing::wall_lantern)) return;
     Transform flame;
     flame.translation_m = thing == Thing::lamp_post ? k_post_flame_m : k_wall_flame_m;

@@ -47,6 +47,7 @@ private:
     std::uint32_t wall_light_ = k_none;
     /// About a lantern, bright and near and faint and far, as what the air scatters falls off; none by day.
     std::vector<std::uint32_t> glows_;
+    std::uint32_t manholes_added_ = 0;
     std::uint32_t vapour_ = k_none;  ///< k_none by day, when it is warm
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <utility>
 
 #include "assets/import/gltf_files.h"
 #include "assets/import/gltf_value.h"
@@ -46,6 +48,9 @@ public:
             read_vector(vector);
         const float count = within("count", 1.0f, 1.0f, static_cast<float>(k_max_particles));
         emitter_.count = static_cast<std::uint32_t>(count);
+        if (static_cast<float>(emitter_.count) != count)
+            document_.warn(element_ + ".count",
+                           "is no whole number, " + std::to_string(emitter_.count) + " is used");
         read_material(scene);
         return std::move(emitter_);
     }

@@ -52,15 +52,17 @@ vec3 light_on(Material m, vec3 normal, vec3 position, vec3 to_eye) {
 
 /// Radiance that all of the haze sends towards the eye, were it opaque.
 vec3 scattered(Material m, vec3 centre, float radius, Look look) {
-    vec3 entry = haze_entry(centre, radius, look.direction, look.clear.near) * look.direction;
+    float begin = haze_entry(centre, radius, look.direction, look.clear.near);
+    vec3 entry = begin * look.direction;
     vec3 outwards = (entry - centre) / radius;
     vec3 position = entry + look.origin;
     // Within the ball there is ever less of a side that faces outwards, and none in its middle, where the direction
     // outwards turns from one pixel to the next.
     float sided = clamp(length(outwards), 0.0, 1.0);
     vec3 to_eye = -look.direction;
-    return sided * light_on(m, outwards / max(sided, 1e-6), position, to_eye) +
-           (1.0 - sided) * light_on(m, to_eye, position, to_eye);
+    vec3 light = sided * light_on(m, outwards / max(sided, 1e-6), position, to_eye);
+    if (begin == look.clear.near) light += (1.0 - sided) * light_on(m, to_eye, position, to_eye);
+    return light;
 }
 #else
 vec3 scattered(Material m, vec3 centre, float radius, Look look) {
@@ -76,6 +78,7 @@ void main() {
     float radius = ball.centre_radius.w;
     float thickness = m.transmission.z * haze_share(centre, radius, look.direction, look.clear);
     float cover = ball.opacity * (1.0 - exp(-thickness));
+    if (!(cover > 0.0)) discard;
 
     float alpha = clamp(m.base_colour.a, 0.0, 1.0);
     bool unlit = (m.flags & k_material_unlit) != 0u;

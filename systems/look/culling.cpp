@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assets/assert.h"
+#include "systems/pack/particles.h"
 
 namespace rambla::systems {
 namespace {
@@ -78,7 +79,9 @@ void Culling::collect(ecs::World& world, Query& query, bool casts_shadows) {
 
 void Culling::gather(LookChunk& chunk, const Observer& observer) {
     for (std::size_t i = 0; i < chunk.entities.size(); ++i) {
-        const LocalBounds box = enclosing_box(chunk.bounds[i], chunk.placement_of(i, observer));
+        // Of a source that somebody has changed, the bounds that it was made with say nothing.
+        const LocalBounds local = chunk.sources.empty() ? chunk.bounds[i] : particle_bounds(chunk.sources[i]);
+        const LocalBounds box = enclosing_box(local, chunk.placement_of(i, observer));
         const std::size_t row = chunk.first_row + i;
         centre_x_[row] = box.centre_m.x;
         centre_y_[row] = box.centre_m.y;

@@ -1,6 +1,7 @@
 // Things that fade: blended as the deferred paths draw them, each with its own depth.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

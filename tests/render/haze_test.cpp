@@ -1,6 +1,7 @@
 // Balls of haze: depth impostors, soft at their rims and where something cuts them off.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -117,6 +118,27 @@ TEST(Evening, LampsOfShopWindowsLeaveTheGroundToItsLightMap) {
         EXPECT_NEAR(aim.y, 1.0f, 1e-6f);
         EXPECT_GT(node.local.translation_m.y, 0.1f);
     }
+}
+
+TEST(Evening, WhatSmokesAndSteamsDoesSoAtAnyTime) {
+    const auto places = [](const TimeOfDay time, const std::string& name) {
+        const Scene scene = generate_place("city:walkers=0,cars=0", 1, time).scene;
+        std::vector<std::array<float, 3>> found;
+        for (const Node& node : scene.nodes) {
+            if (node.emitter == k_none || scene.emitters[node.emitter].name != name) continue;
+            const glm::vec3 at =
+                glm::vec3{matrix(scene.nodes[node.parent].local) * glm::vec4{node.local.translation_m, 1.0f}};
+            found.push_back({at.x, at.y, at.z});
+        }
+        return found;
+    };
+    const auto by_day = places({}, "smoke");
+    EXPECT_GT(by_day.size(), 5u);
+    EXPECT_EQ(places(k_dusk, "smoke"), by_day);
+    EXPECT_EQ(places(k_night, "smoke"), by_day);
+    const auto at_dusk = places(k_dusk, "vapour");
+    EXPECT_GT(at_dusk.size(), 2u);
+    EXPECT_EQ(places({120}, "vapour"), at_dusk);
 }
 
 TEST(Evening, MoreWindowsAreLitInTheEveningAndFewAtThree) {

@@ -61,6 +61,7 @@ TEST(GltfEmitters, NumbersOutOfRangeAreSaidAndBecomeTheNearest) {
     EXPECT_EQ(warns(R"("count":0)", "count").count, 1u);
     EXPECT_EQ(warns(R"("count":1e30)", "count").count, k_max_particles);
     EXPECT_EQ(warns(R"("count":"many")", "count").count, 1u);
+    EXPECT_EQ(warns(R"("count":12.5)", "count").count, 12u);
     EXPECT_EQ(warns(R"("lifetime":-1)", "lifetime").lifetime_s, 0.0f);
     EXPECT_EQ(warns(R"("lifetime":1e300)", "lifetime").lifetime_s, 1e4f);
     EXPECT_EQ(warns(R"("startRadius":0)", "startRadius").start_radius_m, 1e-3f);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -63,7 +64,7 @@ TEST(Particles, FallAlongAParabolaFromWhereTheyBegan) {
 TEST(Particles, AppearAndDissolveWithoutAJump) {
     const ParticleSource source = fountain();
     constexpr double k_step_s = 1e-3;
-    // A parabola from 0 to 1 and back has a slope of 6.75 a lifetime at most, at birth.
+    // 27/4·s·(1 − s)² is steepest at birth: 6.75 a lifetime.
     const float largest_step = static_cast<float>(6.75 * k_step_s / 2.5) * 1.01f;
     for (std::uint32_t number = 0; number < 5; ++number) {
         float before = particle_at(source, number, 0.0).opacity;
