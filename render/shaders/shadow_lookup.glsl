@@ -49,3 +49,16 @@ vec3 shadow_receiver(vec3 position, vec3 normal, vec3 to_sun, vec4 bias_m) {
 float shadow_fade(float lit, float distance_m, vec4 fade) {
     return mix(lit, 1.0, clamp((distance_m - fade.x) * fade.y, 0.0, 1.0));
 }
+
+/// Share of the sun that its map lets through to a surface point; none to what faces away. Define TAPS: 4 or 16.
+/// @param position  camera-relative world, m
+float sun_through(sampler2DShadow map, SunShadow fitted, vec3 position, vec3 normal, vec3 to_sun) {
+    vec3 point = shadow_receiver(position, normal, to_sun, fitted.bias_m);
+    vec3 place = (fitted.map_from_world * vec4(point, 1.0)).xyz;
+#if TAPS == 16
+    float lit = shadow_pcf_16(map, place.xy, place.z, fitted.size_texels);
+#else
+    float lit = shadow_pcf_4(map, place.xy, place.z, fitted.size_texels);
+#endif
+    return dot(normal, to_sun) > 0.0 ? shadow_fade(lit, length(position), fitted.fade) : 0.0;
+}

@@ -11,15 +11,7 @@ layout(std140, binding = BINDING_PASS_UNIFORMS) uniform SunShadowBlock {
 /// @param position  camera-relative world, m
 float sun_reaches(vec3 position, vec3 normal) {
 #if SHADOW_MAP
-    vec3 to_sun = frame.direction_to_sun.xyz;
-    vec3 point = shadow_receiver(position, normal, to_sun, shadow.bias_m);
-    vec3 place = (shadow.map_from_world * vec4(point, 1.0)).xyz;
-#if TAPS == 16
-    float lit = shadow_pcf_16(sun_shadow_map, place.xy, place.z, shadow.size_texels);
-#else
-    float lit = shadow_pcf_4(sun_shadow_map, place.xy, place.z, shadow.size_texels);
-#endif
-    lit = dot(normal, to_sun) > 0.0 ? shadow_fade(lit, length(position), shadow.fade) : 0.0;
+    float lit = sun_through(sun_shadow_map, shadow, position, normal, frame.direction_to_sun.xyz);
     return round(lit * 255.0) / 255.0;
 #else
     return 1.0;

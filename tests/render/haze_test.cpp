@@ -210,11 +210,7 @@ TEST(Haze, ChangesSmoothlyAsTheEyeGoesThroughIt) {
 TEST(Haze, EndsSoftlyWhereSomethingCutsIt) {
     Smoky smoky{2.0f};
     // A wall through the middle of the ball: every look ends at z = 0.
-    smoky.stage.things.clear();
-    assets::Material card = matte();
-    card.unlit = true;
-    smoky.stage.place(smoky.stage.square(), smoky.stage.material(card),
-                      glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    smoky.stage.things[0].world_from_local = glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f});
     smoky.stage.look({0, 0, 5}, {0, 0, 0});
     const Picture picture = smoky.stage.draw();
     for (const std::uint32_t x : {20u, 40u, 50u, 64u, 80u}) {
@@ -343,11 +339,7 @@ TEST(Haze, OfFadingThingsBeforeItIsCutByThem) {
     // A half faded wall at z = 0 through the ball: what of the ball lies behind the wall is seen through it,
     // and the ball, drawn after the wall, ends at it.
     Smoky smoky{2.0f};
-    smoky.stage.things.clear();
-    assets::Material card = matte();
-    card.unlit = true;
-    smoky.stage.place(smoky.stage.square(), smoky.stage.material(card),
-                      glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    smoky.stage.things[0].world_from_local = glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f});
     smoky.stage.things[0].faded = 128;
     smoky.stage.look({0, 0, 5}, {0, 0, 0});
     const float wall = 1.0f - 128.0f / 255.0f;

@@ -1,5 +1,5 @@
-// A convex solid around all that a local light reaches (storage block, std430). Which one its axes make, and of
-// which vertices, is said in render/passes/light_hull.h.
+// A convex solid around all that a local light reaches (storage block, std430). Which one its axes make, and
+// of which vertices, is said in render/passes/light_hull.h.
 #ifndef RAMBLA_SHARED_LIGHT_HULL_H
 #define RAMBLA_SHARED_LIGHT_HULL_H
 
