@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ecs/query.h"
+#include "systems/pack/particles.h"
 #include "systems/position.h"
 #include "systems/simulate/deformation.h"
 
@@ -46,11 +47,15 @@ assets::Bounds shown_bounds(const ecs::World& world, const assets::Scene& scene,
                             const systems::WorldPosition& origin) {
     assets::Bounds box;
     const systems::Observer observer{origin};
-    ecs::Query<const systems::WorldTransform, const systems::LocalBounds, ecs::With<systems::Renderable>,
+    ecs::Query<const systems::WorldTransform, const systems::LocalBounds,
+               ecs::Optional<const systems::ParticleSource>, ecs::With<systems::Renderable>,
                ecs::Without<systems::Skinned>, ecs::Without<systems::Morphed>>
         rigid;
-    rigid.each(world, [&](const systems::WorldTransform& transform, const systems::LocalBounds& bounds) {
-        box.expand(moved(bounds, placement(transform, observer)));
+    rigid.each(world, [&](const systems::WorldTransform& transform, const systems::LocalBounds& bounds,
+                          const systems::ParticleSource* source) {
+        // Of a source that somebody has changed, the bounds that it was made with say nothing.
+        const systems::LocalBounds local = source == nullptr ? bounds : systems::particle_bounds(*source);
+        box.expand(moved(local, placement(transform, observer)));
     });
     if (!world.has_resource<systems::Deformations>()) return box;
 

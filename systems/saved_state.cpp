@@ -61,12 +61,18 @@ void check_sources(const ecs::World& world) {
                                      fmt::format("at most {}", assets::k_max_particles)};
     });
     ecs::Query<const Renderable, ecs::With<ParticleSource>>{}.each(world, [](const Renderable& drawn) {
-        if (!unpack_pipeline(drawn.pipeline).haze || drawn.mesh != assets::k_none)
-            throw ecs::SnapshotError{0, "a source that is drawn as a mesh", "one that is drawn as haze"};
+        const Pipeline haze{.alpha = static_cast<std::uint8_t>(assets::AlphaMode::blend),
+                            .unlit = unpack_pipeline(drawn.pipeline).unlit,
+                            .haze = true};
+        if (drawn.pipeline != pack(haze) || drawn.mesh != assets::k_none)
+            throw ecs::SnapshotError{0, "a source that is not drawn as haze", "one that is drawn so"};
     });
     ecs::Query<const Renderable, ecs::Without<ParticleSource>>{}.each(world, [](const Renderable& drawn) {
-        if (unpack_pipeline(drawn.pipeline).haze || drawn.mesh == assets::k_none)
+        const Pipeline pipeline = unpack_pipeline(drawn.pipeline);
+        if (pipeline.haze || drawn.mesh == assets::k_none)
             throw ecs::SnapshotError{0, "haze, or no mesh, without a source", "a mesh"};
+        // What fades is decided anew in each frame.
+        if (pipeline.fading) throw ecs::SnapshotError{0, "a mesh that fades", "one that is drawn whole"};
     });
 }
 

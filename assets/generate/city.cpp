@@ -124,7 +124,8 @@ private:
     }
 
     /// The length of a light map's texel: small against the height of shop windows, unless the city is so
-    /// large that its light maps would take more than 64 MiB.
+    /// large that the light maps of its blocks would take more than 64 MiB. Those of the edges, which grow
+    /// with its circumference only, come on top.
     [[nodiscard]] float light_texel_m() const {
         constexpr float k_fine_m = 0.25f;
         constexpr double k_most_texels = 16 << 20;

@@ -56,12 +56,17 @@ vec3 scattered(Material m, vec3 centre, float radius, Look look) {
     vec3 entry = begin * look.direction;
     vec3 outwards = (entry - centre) / radius;
     vec3 position = entry + look.origin;
-    // Within the ball there is ever less of a side that faces outwards, and none in its middle, where the direction
-    // outwards turns from one pixel to the next.
-    float sided = clamp(length(outwards), 0.0, 1.0);
     vec3 to_eye = -look.direction;
-    vec3 light = sided * light_on(m, outwards / max(sided, 1e-6), position, to_eye);
-    if (begin == look.clear.near) light += (1.0 - sided) * light_on(m, to_eye, position, to_eye);
+    // haze_entry() hands its last argument back as it is, unless the look enters the ball farther on.
+    bool begins_inside = begin == look.clear.near;
+    // Within the ball there is ever less of a side that faces outwards, and none in its middle, where the direction
+    // outwards turns from one pixel to the next. On the rim there is nothing else, however far rounding moves the entry.
+    float off_middle = length(outwards);
+    float sided = begins_inside ? min(off_middle, 1.0) : 1.0;
+    const float least_off_middle = 1e-6;  // nearer than roundings of a unit length, no direction is left
+    vec3 normal = off_middle > least_off_middle ? outwards / off_middle : to_eye;
+    vec3 light = sided * light_on(m, normal, position, to_eye);
+    if (begins_inside) light += (1.0 - sided) * light_on(m, to_eye, position, to_eye);
     return light;
 }
 #else

@@ -1,4 +1,9 @@
+// Define TAPS: depth comparisons of sun_through(), 4 or 16; without it, 4.
 #include "render/shaders/shared/sun_shadow.h"
+
+#ifndef TAPS
+#define TAPS 4
+#endif
 
 /// Percentage-closer filtering (Reeves et al. 1987) of a depth map whose comparison yields 1 for lit. Both
 /// kernels follow the point continuously between texels: each texel's weight is a piecewise linear function
@@ -50,7 +55,7 @@ float shadow_fade(float lit, float distance_m, vec4 fade) {
     return mix(lit, 1.0, clamp((distance_m - fade.x) * fade.y, 0.0, 1.0));
 }
 
-/// Share of the sun that its map lets through to a surface point; none to what faces away. Define TAPS: 4 or 16.
+/// Share of the sun that its map lets through to a surface point; none to what faces away.
 /// @param position  camera-relative world, m
 float sun_through(sampler2DShadow map, SunShadow fitted, vec3 position, vec3 normal, vec3 to_sun) {
     vec3 point = shadow_receiver(position, normal, to_sun, fitted.bias_m);

@@ -72,14 +72,26 @@ int largest_difference(const Picture& a, const Picture& b) {
 TEST(Fading, OverItselfChangesNothing) {
     Scene scene;
     scene.stage.settings.anti_aliasing.method = render::AntiAliasing::none;
+    // The edge of a shadow lies on the box, of texels as large as the picture's pixels: filters look
+    // different.
+    scene.stage.settings.shadows.size_texels = 256;
+    const glm::vec3 to_sun = scene.stage.frame.environment.direction_to_sun;
+    scene.stage.place(scene.stage.square(), scene.material,
+                      glm::inverse(glm::lookAt(2.0f * to_sun, glm::vec3{0.0f}, {0, 1, 0})) *
+                          glm::scale(glm::mat4{1.0f}, glm::vec3{0.4f}));
     scene.add(0);
-    const Picture alone = scene.stage.draw();
-    scene.add(0, false);
-    for (const int faded : {1, 64, 128, 200, 254}) {
-        scene.stage.things.back().faded = static_cast<std::uint8_t>(faded);
-        const Picture both = scene.stage.draw();
-        ASSERT_TRUE(both.has_pass("blend"));
-        EXPECT_LE(largest_difference(alone, both), 1) << faded;
+    for (const render::ShadowTaps taps : {render::ShadowTaps::four, render::ShadowTaps::sixteen}) {
+        scene.stage.settings.shadows.taps = taps;
+        const Picture alone = scene.stage.draw();
+        scene.add(0, false);
+        for (const int faded : {1, 64, 128, 200, 254}) {
+            scene.stage.things.back().faded = static_cast<std::uint8_t>(faded);
+            const Picture both = scene.stage.draw();
+            ASSERT_TRUE(both.has_pass("blend"));
+            EXPECT_LE(largest_difference(alone, both), 1)
+                << faded << ' ' << render::k_shadow_taps[static_cast<std::size_t>(taps)];
+        }
+        scene.stage.things.pop_back();
     }
 }
 

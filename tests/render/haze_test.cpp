@@ -113,7 +113,14 @@ struct Smoky {
             stage.frame.environment.ground_radiance = glm::vec3{0.0f};
     }
 
-    /// What a pixel's look lets through of the card, by the integral.
+    /// Nothing stands behind the haze any more but a sky of radiance 1.
+    void show_white_sky() {
+        stage.things.clear();
+        stage.frame.environment.sky_zenith_radiance = stage.frame.environment.sky_horizon_radiance =
+            stage.frame.environment.ground_radiance = glm::vec3{1.0f};
+    }
+
+    /// What a pixel's look lets through of the card or the sky, by the integral.
     double expected(std::uint32_t x, std::uint32_t y, double far = 1e30) const {
         const glm::vec2 size{stage.frame.view.size_px};
         const glm::vec2 ndc{2.0f * (static_cast<float>(x) + 0.5f) / size.x - 1.0f,
@@ -185,9 +192,8 @@ TEST(Haze, IsSeenWholeFromAnywhereAlsoFromWithin) {
     ball = {{0, 0, -2}, 0.001f, ball.material, 0};
     smoky.expect_as_expected("smaller than a pixel");
     ball = {{0, 0, -900}, 890.0f, ball.material, 0};
-    smoky.stage.things.clear();
-    for (const float value : {smoky.stage.draw().radiance(64, 64).x, smoky.stage.draw().radiance(3, 3).x})
-        EXPECT_EQ(value, 0.0f) << "before the sky, which is black";
+    smoky.show_white_sky();
+    smoky.expect_as_expected("huge, before the sky");
 }
 
 TEST(Haze, ChangesSmoothlyAsTheEyeGoesThroughIt) {
@@ -280,6 +286,31 @@ TEST(Haze, IsLitBySunLampsAndShadows) {
     const float distance = 2.0f;
     const float window = 1.0f - std::pow(distance / 9.0f, 4.0f);
     EXPECT_NEAR(stage.draw().radiance(64, 64).x, window * window / (distance * distance), 0.01f);
+}
+
+TEST(Haze, VanishesInAWhiteFurnace) {
+    // White, and as bright from everywhere: whichever way it is lit, it sends what it hides.
+    Stage stage;
+    assets::Material white = matte();
+    white.optical_depth = 3.0f;
+    stage.balls.push_back({.material = stage.material(white)});
+    stage.frame.environment = {};
+    stage.frame.environment.sky_zenith_radiance = stage.frame.environment.sky_horizon_radiance =
+        stage.frame.environment.ground_radiance = glm::vec3{1.0f};
+    const auto expect_nothing = [&stage](const char* what, float distance_m) {
+        float worst = 0.0f;
+        for (const glm::vec4& texel : stage.draw().linear)
+            worst = std::max(worst, std::abs(texel.x - 1.0f));
+        // Half floats about 1 are 5e-4 to 1e-3 apart, and two roundings meet.
+        EXPECT_LT(worst, 1.5e-3f) << what << ' ' << distance_m;
+    };
+    // Far away floats place the entry to a hundredth of the ball.
+    for (const float distance_m : {0.0f, 1e-8f, 1e-3f, 0.5f, 0.99f, 1.04f, 5.0f, 1e3f, 1e5f}) {
+        stage.look({0, 0, distance_m}, {0, 0, -1}, 2.0f * std::atan(1.2f / std::max(distance_m, 1.2f)));
+        expect_nothing("at", distance_m);
+    }
+    stage.look_flat({0, 0, 5}, {0, 0, 0}, 1.2f);
+    expect_nothing("orthographic", 5.0f);
 }
 
 TEST(Haze, IsLitWithoutACreaseFromWithin) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <random>
 #include <string>
+#include <string_view>
 
 #include "render/support.h"
 
@@ -144,17 +145,21 @@ TEST(LightingPaths, ForwardKeepsWhatTheGBufferKeeps) {
     Stage stage;
     furnish(stage);
     stage.settings.anti_aliasing.method = render::AntiAliasing::none;
-    const Picture all = drawn_by(stage, render::LightingPath::fullscreen);
-    for (const bool prepass : {false, true}) {
-        const Picture forward = drawn_by(stage, render::LightingPath::forward, prepass);
-        const Difference found = difference(all, forward);
-        EXPECT_LE(found.largest, 4) << prepass;
-        EXPECT_LE(found.beyond_one_pct, 0.01) << prepass;
-        EXPECT_FALSE(forward.has_pass("gbuffer"));
-        EXPECT_EQ(forward.has_pass("depth pre-pass"), prepass);
+    for (const render::ShadowTaps taps : {render::ShadowTaps::four, render::ShadowTaps::sixteen}) {
+        stage.settings.shadows.taps = taps;
+        const std::string_view count = render::k_shadow_taps[static_cast<std::size_t>(taps)];
+        const Picture all = drawn_by(stage, render::LightingPath::fullscreen);
+        for (const bool prepass : {false, true}) {
+            const Picture forward = drawn_by(stage, render::LightingPath::forward, prepass);
+            const Difference found = difference(all, forward);
+            EXPECT_LE(found.largest, 4) << prepass << ' ' << count;
+            EXPECT_LE(found.beyond_one_pct, 0.01) << prepass << ' ' << count;
+            EXPECT_FALSE(forward.has_pass("gbuffer"));
+            EXPECT_EQ(forward.has_pass("depth pre-pass"), prepass);
+        }
+        EXPECT_EQ(drawn_by(stage, render::LightingPath::fullscreen, true).bytes, all.bytes)
+            << "a pre-pass changes no deferred picture";
     }
-    EXPECT_EQ(drawn_by(stage, render::LightingPath::fullscreen, true).bytes, all.bytes)
-        << "a pre-pass changes no deferred picture";
 }
 
 TEST(LightingPaths, APrePassLeavesTheSameOneOfCoincidentSurfacesInFront) {

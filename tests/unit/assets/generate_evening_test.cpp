@@ -120,7 +120,7 @@ TEST(Evening, LampsOfShopWindowsLeaveTheGroundToItsLightMap) {
     }
 }
 
-TEST(Evening, WhatSmokesAndSteamsDoesSoAtAnyTime) {
+TEST(Evening, SmokeRisesInTheSamePlacesAtAnyTimeAndVapourWhileLampsBurn) {
     const auto places = [](const TimeOfDay time, const std::string& name) {
         const Scene scene = generate_place("city:walkers=0,cars=0", 1, time).scene;
         std::vector<std::array<float, 3>> found;
@@ -139,6 +139,7 @@ TEST(Evening, WhatSmokesAndSteamsDoesSoAtAnyTime) {
     const auto at_dusk = places(k_dusk, "vapour");
     EXPECT_GT(at_dusk.size(), 2u);
     EXPECT_EQ(places({120}, "vapour"), at_dusk);
+    EXPECT_TRUE(places({}, "vapour").empty()) << "it is warm";
 }
 
 TEST(Evening, MoreWindowsAreLitInTheEveningAndFewAtThree) {

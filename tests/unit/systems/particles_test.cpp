@@ -227,6 +227,25 @@ TEST(ParticleQueue, WhatTheCameraDoesNotSeeIsNotSimulated) {
     EXPECT_EQ(smoking.frame.counts.visible, 0u);
 }
 
+TEST(ParticleQueue, WhatASourceHasBecomeIsSeenWhateverItsBoundsSay) {
+    Smoking smoking{fountain()};
+    const std::uint32_t seen = instances_of(smoking.look().blended);
+    ASSERT_GT(seen, 30u);
+    smoking.world.get_mut<LocalBounds>(smoking.source) = {{0, 0, 60}, glm::vec3{0.01f}};
+    EXPECT_EQ(instances_of(smoking.look().blended), seen) << "though its bounds lie behind the eye";
+
+    // A jet of 75 m, which starts far beside the picture, is turned into it.
+    ParticleSource jet = fountain();
+    jet.velocity_m_s = {-30, 0, 0};
+    jet.acceleration_m_s2 = glm::vec3{0.0f};
+    Smoking aside{jet, {{0, 0, 0}, glm::mat3{1.0f}, {-40, 0, -8}}};
+    EXPECT_EQ(instances_of(aside.look().blended), 0u);
+    aside.world.get_mut<ParticleSource>(aside.source).velocity_m_s.x = 30.0f;
+    EXPECT_GT(instances_of(aside.look().blended), 0u);
+    aside.world.get_mut<ParticleSource>(aside.source).velocity_m_s.x = -30.0f;
+    EXPECT_EQ(instances_of(aside.look().blended), 0u);
+}
+
 TEST(ParticleQueue, MovesWithTheTimeShownAndWithNothingElse) {
     Smoking smoking{fountain()};
     smoking.look();

@@ -67,11 +67,19 @@ TEST(SavedState, OfAnotherPlaceIsRefused) {
         EXPECT_THROW((void)load_state(save_state(*world, k_city), *world, k_city), ecs::SnapshotError);
         world->destroy(odd);
     };
-    const Renderable haze{assets::k_none, 0, pack(Pipeline{.haze = true})};
+    const auto alpha = static_cast<std::uint8_t>(assets::AlphaMode::blend);
+    const Renderable haze{assets::k_none, 0, pack({.alpha = alpha, .haze = true})};
     is_refused(ParticleSource{.count = assets::k_max_particles + 1}, haze);
     is_refused(ParticleSource{}, Renderable{0, 0, 0});
+    is_refused(ParticleSource{}, Renderable{assets::k_none, 0, pack({.haze = true})});
     is_refused(haze);
     is_refused(Renderable{});
+    is_refused(Renderable{0, 0, pack({.fading = true})});
+    // It is what is odd about them that is refused.
+    world->create(ParticleSource{.count = assets::k_max_particles}, haze);
+    world->create(ParticleSource{},
+                  Renderable{assets::k_none, 0, pack({.alpha = alpha, .unlit = true, .haze = true})});
+    world->create(Renderable{0, 0, 0});
     EXPECT_NO_THROW((void)load_state(save_state(*world, k_city), *world, k_city));
 }
 
