@@ -59,14 +59,18 @@ struct FrameResources {
         bounded_lights{};  ///< those of the Frame's lights that can touch the picture
     TileLists tiles{};     ///< only where lighting goes by tiles, and some light touches the picture
 
-    TextureHandle depth{};          ///< GL_DEPTH_COMPONENT32F, reversed
-    TextureHandle solid_depth{};    ///< the same before what fades has written its own
-    TextureHandle albedo{};         ///< G-buffer: what it holds is said in gbuffer_layout.glsl
-    TextureHandle normal{};         ///< G-buffer
-    TextureHandle surface{};        ///< G-buffer
-    TextureHandle emission{};       ///< G-buffer; only when frame.needs_emission
-    TextureHandle position{};       ///< G-buffer; only in the wide layout
-    TextureHandle tangent{};        ///< G-buffer; only in the wide layout
+    TextureHandle depth{};        ///< GL_DEPTH_COMPONENT32F, reversed
+    TextureHandle solid_depth{};  ///< the same before what fades has written its own
+    TextureHandle albedo{};       ///< G-buffer: what it holds is said in gbuffer_layout.glsl
+    TextureHandle normal{};       ///< G-buffer
+    TextureHandle surface{};      ///< G-buffer
+    TextureHandle emission{};     ///< G-buffer; only when frame.needs_emission
+    TextureHandle position{};     ///< G-buffer; only in the wide layout
+    TextureHandle tangent{};      ///< G-buffer; only in the wide layout
+    TextureHandle objects{};      ///< GL_R32UI: Instance::object + 1, 0 for none; only where asked for
+    TextureHandle
+        read_positions{};           ///< GL_RGBA32F: what lighting reads of the G-buffer; only where asked for
+    TextureHandle read_normals{};   ///< GL_RGBA32F: the same
     TextureHandle shadow_map{};     ///< sun, depth, 1 nearest to the sun
     gl::BufferRange sun_shadow{};   ///< shared::SunShadow of shadow_map
     TextureHandle shadow_result{};  ///< sun, GL_R8: 1 lit, 0 in shadow; invalid when shadows are off

@@ -38,12 +38,27 @@ struct FrameInput {
     bool complete_textures = false;
 };
 
+/// For each pixel the Instance::object of the nearest opaque or masked surface; what blends does not count.
+struct ObjectImage {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::uint32_t> ids;  ///< row-major, top row first; assets::k_none where there is no surface
+};
+
+/// The G-buffer as lighting reads it, camera-relative world axes; of sky it says nothing.
+struct SurfaceImages {
+    assets::Image positions;  ///< rgba32f, m
+    assets::Image normals;    ///< rgba32f, unit length
+};
+
 struct FrameOutput {
     systems::Feedback feedback;
     std::optional<assets::Image> display;  ///< rgba8, sRGB, HUD included
     std::optional<assets::Image> linear;   ///< rgba32f scene colour, exposure taken out, before tone mapping
-    std::string shader_error;              ///< of a failed reload; the old programs stay in use
-    std::string graph_svg;                 ///< the frame's passes as a drawing; empty unless asked for
+    std::optional<ObjectImage> objects;
+    std::optional<SurfaceImages> surfaces;  ///< only of the paths that have a G-buffer
+    std::string shader_error;               ///< of a failed reload; the old programs stay in use
+    std::string graph_svg;                  ///< the frame's passes as a drawing; empty unless asked for
 };
 
 /// Owns the thread that owns the GL context, and two FrameInputs, so that one is filled while the other is

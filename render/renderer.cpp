@@ -68,7 +68,41 @@ struct InFlight {
     FrameOutput output;
     Capture display;
     Capture linear;
+    Capture objects;
+    Capture positions;
+    Capture normals;
+
+    void add_captures(RenderGraph& graph, const FrameResources& resources);
+    void take_captures();
 };
+
+void capture(Capture& capture, RenderGraph& graph, const char* name, TextureHandle texture, CapturedAs what,
+             float scale = 1.0f) {
+    if (texture.valid()) {
+        capture.add(graph, name, texture, what, scale);
+    } else {
+        capture.release();
+    }
+}
+
+/// Of what is between scene and display.
+void InFlight::add_captures(RenderGraph& graph, const FrameResources& resources) {
+    const systems::CaptureRequest& wanted = resources.frame.capture;
+    capture(linear, graph, "capture linear", wanted.linear ? resources.scene_colour : TextureHandle{},
+            CapturedAs::floats, 1.0f / resources.exposure);
+    capture(objects, graph, "capture objects", wanted.objects ? resources.objects : TextureHandle{},
+            CapturedAs::objects);
+    capture(positions, graph, "capture positions", resources.read_positions, CapturedAs::floats);
+    capture(normals, graph, "capture normals", resources.read_normals, CapturedAs::floats);
+}
+
+void InFlight::take_captures() {
+    if (display.pending()) output.display = display.take();
+    if (linear.pending()) output.linear = linear.take();
+    if (objects.pending()) output.objects = objects.take_objects();
+    if (positions.pending())
+        output.surfaces = SurfaceImages{.positions = positions.take(), .normals = normals.take()};
+}
 
 }  // namespace
 
@@ -226,18 +260,10 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     const bool as_texture = context.headless() || wanted.display;
     resources.backbuffer = import_backbuffer(frame.view.size_px, as_texture);
     scene_passes.add(graph, resources);
-    if (wanted.linear) {
-        slot.linear.add(graph, "capture linear", resources.scene_colour, assets::PixelFormat::rgba32f,
-                        1.0f / exposure);
-    } else {
-        slot.linear.release();
-    }
+    slot.add_captures(graph, resources);
     display_passes.add(graph, resources);
-    if (wanted.display) {
-        slot.display.add(graph, "capture display", resources.backbuffer, assets::PixelFormat::rgba8, 1.0f);
-    } else {
-        slot.display.release();
-    }
+    capture(slot.display, graph, "capture display", wanted.display ? resources.backbuffer : TextureHandle{},
+            CapturedAs::bytes);
     graph.execute(input.timers);
     if (as_texture && !context.headless()) {
         const auto width = static_cast<GLint>(frame.view.size_px.x);
@@ -310,8 +336,7 @@ bool Renderer::State::take_oldest(std::vector<FrameOutput>& outputs, bool wait) 
                                    .cpu_begin = pass.cpu_begin,
                                    .gpu_begin = pass.gpu_begin});
     }
-    if (frame.display.pending()) frame.output.display = frame.display.take();
-    if (frame.linear.pending()) frame.output.linear = frame.linear.take();
+    frame.take_captures();
     if (!frame.is_warm_up) outputs.push_back(std::move(frame.output));
     return true;
 }

@@ -150,16 +150,17 @@ enum class DebugView : std::uint8_t {
     tiles,
     overdraw,
     luminance,
-    nonfinite
+    nonfinite,
+    objects
 };
 
 /// What is shown instead of the picture.
 struct DebugParameters {
     DebugView view = DebugView::off;
 };
-inline constexpr std::array<std::string_view, 14> k_debug_views{
-    "off",   "albedo", "normal", "roughness", "metalness", "occlusion", "emission",
-    "depth", "shadow", "lights", "tiles",     "overdraw",  "luminance", "nonfinite"};
+inline constexpr std::array<std::string_view, 15> k_debug_views{
+    "off",    "albedo", "normal", "roughness", "metalness", "occlusion", "emission", "depth",
+    "shadow", "lights", "tiles",  "overdraw",  "luminance", "nonfinite", "objects"};
 inline constexpr std::array k_debug_parameters{
     parameter<&DebugParameters::view>("debug-view", k_debug_views,
                                       "Shows what a picture is made from instead of the picture."),

@@ -66,8 +66,8 @@ void take_all() {
 // Every GL function that the renderer uses; a test compares the list with the sources.
 void count_calls() {
     take_all<CallKind::draw, &glBlitNamedFramebuffer, &glClearNamedBufferSubData, &glClearNamedFramebufferfv,
-             &glDispatchCompute, &glDrawArrays, &glDrawArraysIndirect, &glDrawArraysInstanced,
-             &glDrawArraysInstancedBaseInstance, &glDrawElementsBaseVertex,
+             &glClearNamedFramebufferuiv, &glDispatchCompute, &glDrawArrays, &glDrawArraysIndirect,
+             &glDrawArraysInstanced, &glDrawArraysInstancedBaseInstance, &glDrawElementsBaseVertex,
              &glDrawElementsInstancedBaseVertexBaseInstance, &glInvalidateNamedFramebufferData,
              &glMultiDrawElementsIndirect>();
     take_all<CallKind::bind, &glBindBuffer, &glBindBufferBase, &glBindBufferRange, &glBindBuffersBase,

@@ -74,6 +74,10 @@ bool is_depth(GLenum format) {
     return format == GL_DEPTH_COMPONENT16 || format == GL_DEPTH_COMPONENT32F;
 }
 
+bool is_integer(GLenum format) {
+    return format == GL_R32UI;
+}
+
 namespace {
 
 GLuint create_texture(GLenum target) {

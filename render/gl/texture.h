@@ -35,6 +35,8 @@ struct TextureDesc {
 /// Levels of a full mip chain.
 [[nodiscard]] std::uint32_t full_levels(glm::uvec2 size);
 [[nodiscard]] bool is_depth(GLenum format);
+/// Of unsigned integers, which shaders read by a usampler.
+[[nodiscard]] bool is_integer(GLenum format);
 
 /// Immutable storage.
 class Texture {

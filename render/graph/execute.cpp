@@ -89,11 +89,14 @@ BoundTargets find_targets(State& state, const State::PassInfo& pass) {
     return bound;
 }
 
-void load_targets(const State::PassInfo& pass, GLuint framebuffer) {
+void load_targets(const State& state, const State::PassInfo& pass, GLuint framebuffer) {
     for (std::size_t slot = 0; slot < pass.colours.size(); ++slot) {
         const State::Target& target = pass.colours[slot];
         if (target.version == graph::k_none) continue;
-        if (target.load == LoadOp::clear) {
+        if (target.load == LoadOp::clear && gl::is_integer(state.layout(target.version).texture.format)) {
+            const glm::uvec4 clear{target.clear};
+            glClearNamedFramebufferuiv(framebuffer, GL_COLOR, static_cast<GLint>(slot), &clear.x);
+        } else if (target.load == LoadOp::clear) {
             glClearNamedFramebufferfv(framebuffer, GL_COLOR, static_cast<GLint>(slot), &target.clear.x);
         } else if (target.load == LoadOp::discard) {
             const auto point =
@@ -177,7 +180,7 @@ void RenderGraph::execute(PassTimers timers) {
             glViewport(0, 0, static_cast<GLsizei>(bound.size.x), static_cast<GLsizei>(bound.size.y));
             // A window's framebuffer may or may not encode; the last shader has done it already.
             if (bound.framebuffer == 0) glDisable(GL_FRAMEBUFFER_SRGB);
-            load_targets(pass, bound.framebuffer);
+            load_targets(state, pass, bound.framebuffer);
         }
         context.framebuffer_ = bound.framebuffer;
         context.size_ = bound.size;

@@ -9,8 +9,10 @@
 #include "render/passes/light_lists.h"
 #include "render/passes/light_volumes.h"
 #include "render/passes/lighting.h"
+#include "render/passes/object_ids.h"
 #include "render/passes/sky.h"
 #include "render/passes/solid_light_volumes.h"
+#include "render/passes/surface_capture.h"
 #include "render/post/debug_view.h"
 #include "render/post/fxaa.h"
 #include "render/post/hud.h"
@@ -52,6 +54,8 @@ using ScenePasses = PassList<DepthPrePass,           //
                              LightVolumesPass,       //
                              SolidLightVolumesPass,  //
                              ForwardPass,            //
+                             ObjectIdsPass,          //
+                             SurfaceCapturePass,     //
                              SkyPass,                //
                              BlendPass>;
 

@@ -26,6 +26,8 @@ TextureHandle shown(const FrameResources& resources, DebugView view) {
         case DebugView::luminance:
         case DebugView::nonfinite:
             return resources.scene_colour;
+        case DebugView::objects:
+            return resources.objects;
         case DebugView::off:
         case DebugView::depth:
         case DebugView::lights:
@@ -55,6 +57,7 @@ const gl::Program& DebugViewPass::program(DebugView view, bool missing, GBufferL
                                   .defines = {{"VIEW", "view_" + std::string{k_debug_views[index]}},
                                               {"MISSING", missing ? "1" : "0"},
                                               {"GBUFFER_WIDE", gbuffer_define(layout)},
+                                              {"IDS", view == DebugView::objects ? "1" : "0"},
                                               {"CELLS", view == DebugView::lights ? "1" : "0"},
                                               {"TILES", view == DebugView::tiles ? "1" : "0"}}});
     }

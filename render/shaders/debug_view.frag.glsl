@@ -1,5 +1,6 @@
 // One of the things that a picture is made from. Defines: VIEW, the function below that is shown; MISSING: 1 where the
-// frame does not have it; CELLS, TILES: which lists of lights are bound; GBUFFER_WIDE.
+// frame does not have it; CELLS, TILES: which lists of lights are bound; IDS: 1 where it is whole
+// numbers; GBUFFER_WIDE.
 #include "frame.glsl"
 #include "gbuffer_layout.glsl"
 #include "unproject.glsl"
@@ -12,7 +13,11 @@
 #endif
 
 layout(binding = UNIT_PASS) uniform sampler2D depth_target;
+#if IDS
+layout(binding = UNIT_PASS + 1) uniform usampler2D source;
+#else
 layout(binding = UNIT_PASS + 1) uniform sampler2D source;
+#endif
 
 layout(location = 0) out vec4 out_display;
 
@@ -42,6 +47,16 @@ vec3 of_surface(vec3 value) {
     return seen_depth() > 0.0 ? value : vec3(0.0);
 }
 
+#if IDS
+/// A colour for each object, alike for none of its neighbours in the list of entities: steps of the golden ratio in hue.
+vec3 view_objects() {
+    uint id = texelFetch(source, pixel(), 0).x;
+    float hue = fract(float(id) * 0.61803399);
+    vec3 pure = clamp(abs(fract(hue + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+    float value = 0.55 + 0.45 * fract(float(id) * 0.7548777);
+    return id == 0u ? vec3(0.0) : value * mix(vec3(1.0), pure, 0.6);
+}
+#else
 vec3 view_albedo() {
     vec3 albedo = texelFetch(source, pixel(), 0).rgb;
 #if GBUFFER_WIDE
@@ -117,6 +132,7 @@ vec3 view_nonfinite() {
     if (any(isinf(radiance))) return vec3(0.0, 1.0, 1.0);
     return 0.25 * encode_srgb(radiance);
 }
+#endif
 
 void main() {
 #if MISSING

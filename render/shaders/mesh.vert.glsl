@@ -38,6 +38,9 @@ void main() {
     varyings.colour = vertex_colour;
     varyings.material = material_row(instance);
     varyings.opacity = instance_opacity(instance);
+#ifdef OBJECTS
+    varyings.object = instance.object;
+#endif
     Material m = materials[varyings.material];
     varyings.base_colour_uv = transformed_uv(m.base_colour_uv, uv0, uv1);
 #if DETAIL >= 1

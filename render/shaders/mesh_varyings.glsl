@@ -10,6 +10,9 @@ VARYING MeshVaryings {
     vec4 colour;
     flat uint material;  ///< row of the material buffer
     flat float opacity;  ///< of the instance, [0, 1]
+#ifdef OBJECTS
+    flat uint object;
+#endif
     vec2 base_colour_uv;
 #if DETAIL >= 1
     vec2 metalness_roughness_uv;
