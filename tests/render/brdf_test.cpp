@@ -5,10 +5,12 @@
 #include <cmath>
 #include <string>
 
+#include "assets/trace/reflectance.h"
 #include "render/shader_harness.h"
 
 namespace {
 
+namespace assets = rambla::assets;
 using rambla::tests::add;
 using rambla::tests::Inputs;
 using rambla::tests::Random;
@@ -16,29 +18,11 @@ using rambla::tests::ShaderHarness;
 
 constexpr double k_pi = 3.14159265358979323846;
 
-/// BRDF · cos θ as glTF 2.0 appendix B and its sources define it, in doubles.
-glm::dvec3 reflected(glm::dvec3 n, glm::dvec3 v, glm::dvec3 l, glm::dvec3 base, double roughness,
-                     double metalness) {
-    const double n_dot_l = glm::dot(n, l);
-    if (n_dot_l <= 0.0) return glm::dvec3{0.0};
-    const double n_dot_v = std::max(glm::dot(n, v), 1e-4);
-    const glm::dvec3 diffuse = base * (1.0 - metalness);
-    const glm::dvec3 f0 = glm::mix(glm::dvec3{0.04}, base, metalness);
-    const double a = std::pow(std::max(roughness, 0.045), 2.0);
-    const glm::dvec3 sum = v + l;
-    const glm::dvec3 h = glm::length(sum) > 1e-6 ? glm::normalize(sum) : n;
-    const double n_dot_h = glm::dot(n, h);
-    // Walter et al. 2007, eq. 33, with tan² written by the angle between n and h, which no cancellation
-    // spoils.
-    const double tan2 = std::pow(glm::length(glm::cross(n, h)) / std::max(n_dot_h, 1e-12), 2.0);
-    const double d = a * a / (k_pi * std::pow(n_dot_h, 4.0) * std::pow(a * a + tan2, 2.0));
-    const auto lambda = [&](double cosine) {  // Heitz 2014, eq. 72
-        const double t2 = (1.0 - cosine * cosine) / (cosine * cosine);
-        return 0.5 * (std::sqrt(1.0 + a * a * t2) - 1.0);
-    };
-    const double g = 1.0 / (1.0 + lambda(n_dot_l) + lambda(n_dot_v));
-    const glm::dvec3 f = f0 + (1.0 - f0) * std::pow(std::clamp(1.0 - glm::dot(v, h), 0.0, 1.0), 5.0);
-    return ((1.0 - f) * diffuse / k_pi + f * (d * g / (4.0 * n_dot_l * n_dot_v))) * n_dot_l;
+assets::ReflectingPoint point_of(const glm::vec4* inputs) {
+    return {.normal = glm::dvec3{inputs[0]},
+            .base_colour = glm::dvec3{inputs[3]},
+            .roughness = inputs[0].w,
+            .metalness = inputs[1].w};
 }
 
 const char* const k_reflected =
@@ -61,8 +45,7 @@ TEST(Brdf, EqualsTheReference) {
     double worst = 0.0;
     for (int i = 0; i < k_samples; ++i) {
         const glm::vec4* in = &inputs[4 * static_cast<std::size_t>(i)];
-        const glm::dvec3 expected = reflected(glm::dvec3{in[0]}, glm::dvec3{in[1]}, glm::dvec3{in[2]},
-                                              glm::dvec3{in[3]}, in[0].w, in[1].w);
+        const glm::dvec3 expected = assets::reflected_ggx(point_of(in), glm::dvec3{in[1]}, glm::dvec3{in[2]});
         for (int channel = 0; channel < 3; ++channel) {
             const double error = std::fabs(found[static_cast<std::size_t>(i)][channel] - expected[channel]);
             worst = std::max(worst, error / (expected[channel] + 1e-2));
@@ -71,22 +54,6 @@ TEST(Brdf, EqualsTheReference) {
     // Float inputs are unit vectors to 6e-8; the sharpest lobe (α = 0.002) turns that into 6e-8/α = 3e-5
     // relative to the lobe's width, squared and inverted twice: 4e-4 covers it.
     EXPECT_LT(worst, 4e-4);
-}
-
-/// Blinn–Phong with the exponent 2/α² − 2 and the normalisation (n + 8)/(8π), in doubles.
-glm::dvec3 reflected_blinn(glm::dvec3 n, glm::dvec3 v, glm::dvec3 l, glm::dvec3 base, double roughness,
-                           double metalness) {
-    const double n_dot_l = glm::dot(n, l);
-    if (n_dot_l <= 0.0) return glm::dvec3{0.0};
-    const glm::dvec3 f0 = glm::mix(glm::dvec3{0.04}, base, metalness);
-    const glm::dvec3 sum = v + l;
-    const glm::dvec3 h = glm::length(sum) > 1e-6 ? glm::normalize(sum) : n;
-    const double a = std::pow(std::max(roughness, 0.045), 2.0);
-    const double exponent = 2.0 / (a * a) - 2.0;
-    const double lobe = std::pow(std::clamp(glm::dot(n, h), 0.0, 1.0), exponent);
-    const glm::dvec3 f = f0 + (1.0 - f0) * std::pow(std::clamp(1.0 - glm::dot(v, h), 0.0, 1.0), 5.0);
-    return ((1.0 - f) * base * (1.0 - metalness) / k_pi + f * ((exponent + 8.0) / (8.0 * k_pi) * lobe)) *
-           n_dot_l;
 }
 
 TEST(Brdf, TheCheaperGradesEqualTheirReferences) {
@@ -110,8 +77,7 @@ TEST(Brdf, TheCheaperGradesEqualTheirReferences) {
         double worst = 0.0;
         for (std::size_t i = 0; i < found.size(); ++i) {
             const glm::vec4* in = &inputs[4 * i];
-            const glm::dvec3 expected = reference(glm::dvec3{in[0]}, glm::dvec3{in[1]}, glm::dvec3{in[2]},
-                                                  glm::dvec3{in[3]}, in[0].w, in[1].w);
+            const glm::dvec3 expected = reference(point_of(in), glm::dvec3{in[1]}, glm::dvec3{in[2]});
             for (int channel = 0; channel < 3; ++channel)
                 worst = std::max(
                     worst, std::fabs(found[i][channel] - expected[channel]) / (expected[channel] + 1e-2));
@@ -119,14 +85,9 @@ TEST(Brdf, TheCheaperGradesEqualTheirReferences) {
         return worst;
     };
     // log2 and exp2 of the software rasteriser are polynomials: 1e-5 of a logarithm times an exponent of 247.
-    EXPECT_LT(worst_against("reflected_blinn(s, b.xyz, c.xyz, n_dot_l)", reflected_blinn), 3e-3);
-    const auto lambert = [](glm::dvec3 n, glm::dvec3, glm::dvec3 l, glm::dvec3 base, double,
-                            double metalness) {
-        const glm::dvec3 all = base * (1.0 - metalness) + glm::mix(glm::dvec3{0.04}, base, metalness);
-        return all / k_pi * std::max(glm::dot(n, l), 0.0);
-    };
+    EXPECT_LT(worst_against("reflected_blinn(s, b.xyz, c.xyz, n_dot_l)", assets::reflected_blinn), 3e-3);
     // A handful of roundings of 6e-8, relative to 1e-2 at least.
-    EXPECT_LT(worst_against("reflected_lambert(s, n_dot_l)", lambert), 3e-6);
+    EXPECT_LT(worst_against("reflected_lambert(s, n_dot_l)", assets::reflected_lambert), 3e-6);
 }
 
 TEST(Brdf, IsFiniteInHardCases) {

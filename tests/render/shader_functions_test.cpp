@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "assets/trace/reflectance.h"
 #include "render/shader_harness.h"
 
 namespace {
@@ -94,8 +95,7 @@ TEST(ShaderFunctions, AttenuationFollowsTheWindowedInverseSquare) {
         ASSERT_GE(found[i].x, 0.0f);
         if (i >= regular) continue;
         const double distance = inputs[4 * i].x, radius = inputs[4 * i].y;
-        const double window = std::pow(std::max(0.0, 1.0 - std::pow(distance / radius, 4.0)), 2.0);
-        const double expected = window / std::pow(std::max(distance, 0.01), 2.0);
+        const double expected = rambla::assets::lamp_attenuation(distance, radius);
         // Near the rim, 1 − (d/r)⁴ keeps an absolute error of 3e-7, squared against 1/d².
         EXPECT_NEAR(found[i].x, expected, 1e-5 * expected + 2e-6 / std::pow(std::max(distance, 0.01), 2.0));
     }
