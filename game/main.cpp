@@ -61,7 +61,8 @@ int main(int argc, char** argv) {
         "Exit codes: 0 done, 1 failed check, 2 wrong usage or bad input, 3 this machine lacks something.\n");
     const std::vector<game::Command> commands{game::add_walk(program),    game::add_play(program),
                                               game::add_view(program),    game::add_generate(program),
-                                              game::add_inspect(program), game::add_doctor(program)};
+                                              game::add_inspect(program), game::add_study(program),
+                                              game::add_doctor(program)};
     const auto is_named = [&](const game::Command& command) {
         return command.line->get_name() == argv[1];
     };

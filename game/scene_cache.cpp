@@ -45,11 +45,16 @@ fs::path cache_folder() {
 }
 
 PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo& device, bool quiet) {
+    return prepare_scene(scene, parameters_for(device), quiet);
+}
+
+PreparedScene prepare_scene(const assets::Scene& scene, const assets::ProcessParameters& parameters,
+                            bool quiet) {
     const fs::path folder = cache_folder();
     const auto cache = std::make_shared<assets::Cache>(folder, k_cache_limit_bytes);
     std::optional<Progress> progress;
     assets::CachedProcess result = assets::process_cached(
-        scene, parameters_for(device), *cache,
+        scene, parameters, *cache,
         [&](std::uint32_t made, std::uint32_t missing) {
             if (!progress) progress.emplace("Processing for the first time", missing, !quiet);
             progress->update(made);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "assets/process/process.h"
 #include "assets/processed.h"
 #include "assets/scene.h"
 #include "assets/texture_levels.h"
@@ -34,6 +35,9 @@ struct PreparedScene {
 /// @param quiet  shows no progress
 [[nodiscard]] PreparedScene prepare_scene(const assets::Scene& scene, const render::DeviceInfo& device,
                                           bool quiet);
+/// The same by other parameters than suit the device.
+[[nodiscard]] PreparedScene prepare_scene(const assets::Scene& scene,
+                                          const assets::ProcessParameters& parameters, bool quiet);
 
 /// Gives a stage's scene to who draws it, and lets the stage's Frames say which textures they need.
 void hand_over(PreparedScene prepared, Stage& stage, render::RenderThread& thread);

@@ -19,6 +19,7 @@ struct Command {
 [[nodiscard]] Command add_view(CLI::App& program);
 [[nodiscard]] Command add_generate(CLI::App& program);
 [[nodiscard]] Command add_inspect(CLI::App& program);
+[[nodiscard]] Command add_study(CLI::App& program);
 [[nodiscard]] Command add_doctor(CLI::App& program);
 
 }  // namespace rambla::game

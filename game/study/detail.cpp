@@ -1,0 +1,88 @@
+// Grades of surface detail along the street's walk.
+#include <spdlog/fmt/fmt.h>
+
+#include <array>
+
+#include "game/study/grades.h"
+#include "game/study/in_turns.h"
+#include "game/study/pass_ms.h"
+#include "game/study/picture_error.h"
+
+namespace rambla::game::study {
+namespace {
+
+constexpr std::uint32_t k_rounds = 7;
+constexpr std::array<std::string_view, 7> k_grades{"flat",
+                                                   "normal",
+                                                   "parallax",
+                                                   "occlusion:steps=8",
+                                                   "occlusion:steps=16",
+                                                   "occlusion:steps=32",
+                                                   "occlusion:steps=128"};
+constexpr std::array<std::string_view, 1> k_passes{"gbuffer"};
+
+std::vector<PictureGrade> grades() {
+    render::Settings settings;
+    settings.shadows.method = render::ShadowMethod::off;  // which would hide some of it
+    std::vector<PictureGrade> all;
+    for (const std::string_view name : k_grades)
+        all.push_back(
+            grade_of(std::string{name}, render::k_detail_parameters, &render::Settings::detail, settings));
+    return all;
+}
+
+/// Metrics of each grade against the last one, as means over the rounds' pictures.
+std::vector<std::vector<Metric>> errors(StudyContext& context, Stage& stage,
+                                        const std::vector<PictureGrade>& all, const EyeOfRound& eye,
+                                        std::uint32_t rounds) {
+    std::vector<std::vector<std::vector<Metric>>> metrics(all.size());
+    const auto picture = [&](const PictureGrade& grade, std::uint32_t round) {
+        return draw(context.thread(), stage, grade, eye(round), {.display = true}).display.value();
+    };
+    for (std::uint32_t round = 0; round < rounds && !context.stopped(); ++round) {
+        const assets::Image reference = picture(all.back(), round);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            metrics[i].push_back(display_metrics(reference, picture(all[i], round)));
+    }
+    std::vector<std::vector<Metric>> means;
+    for (const auto& of_grade : metrics)
+        means.push_back(mean_metrics(of_grade));
+    return means;
+}
+
+void run(StudyContext& context, StudyResult& result) {
+    result.title = "Surface detail";
+    result.question =
+        "What do normal maps, parallax and parallax occlusion mapping cost, and what do they add to the "
+        "picture of the street at noon, without shadows? Milliseconds are those of the G-buffer pass, which "
+        "samples them.";
+    result.reference =
+        "Parallax occlusion mapping that meets the heights at 128 places. This says how far a grade is from "
+        "the finest, which stands for true geometry as far as tests show.";
+    result.plotted_metric = "flip_mean";
+    Stage stage = make_stage("street", context.options().seed, {}, {});
+    static_cast<void>(show(context, stage));
+    const std::uint32_t rounds = context.rounds(k_rounds);
+    for (const glm::uvec2 size_px : context.sizes({{960, 540}, {1280, 720}})) {
+        const std::string scene = fmt::format("street, {}", size_text(size_px));
+        const std::vector<PictureGrade> all = grades();
+        const EyeOfRound eye = along_the_walk(stage, size_px, rounds);
+        const std::vector<PictureCost> costs =
+            draw_in_turns(context, stage, all, eye, rounds, "detail: " + scene);
+        const std::vector<std::vector<Metric>> metrics = errors(context, stage, all, eye, rounds);
+        for (std::size_t i = 0; i < costs.size(); ++i) {
+            result.grades.push_back({.scene = scene,
+                                     .grade = all[i].name,
+                                     .ms = sums_ms(costs[i], k_passes),
+                                     .bytes = transient_bytes(costs[i]),
+                                     .metrics = metrics[i]});
+        }
+        if (context.stopped()) return;
+    }
+}
+
+}  // namespace
+
+const Study k_detail_study{.name = "detail", .summary = "normal maps, parallax and relief", .run = run};
+
+}  // namespace rambla::game::study

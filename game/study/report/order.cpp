@@ -1,0 +1,74 @@
+#include "game/study/report/order.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+namespace rambla::game::study {
+namespace {
+
+/// One grade's ratio in both runs.
+struct Pair {
+    std::string grade;
+    Spread before;
+    Spread now;
+};
+
+/// −1 if a is cheaper beyond the spread, 1 if b is, 0 if the intervals overlap.
+int order_of(const Spread& a, const Spread& b) {
+    return a.high < b.low ? -1 : b.high < a.low ? 1 : 0;
+}
+
+/// The grades that both runs have timed, in the new run's order.
+std::vector<Pair> pairs_of(const SceneGrades& old_scene, const SceneGrades& new_scene) {
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < new_scene.grades.size(); ++i) {
+        const std::string& name = new_scene.grades[i].grade;
+        const auto found = std::find_if(old_scene.grades.begin(), old_scene.grades.end(),
+                                        [&](const GradeResult& grade) { return grade.grade == name; });
+        if (found == old_scene.grades.end()) continue;
+        const auto index = static_cast<std::size_t>(found - old_scene.grades.begin());
+        const std::optional<Spread>& before = old_scene.timings[index].ratio;
+        const std::optional<Spread>& now = new_scene.timings[i].ratio;
+        if (before && now) pairs.push_back({name, *before, *now});
+    }
+    return pairs;
+}
+
+void append_reversals(std::vector<Reversal>& reversals, const std::string& scene,
+                      const std::vector<Pair>& pairs) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        for (std::size_t j = i + 1; j < pairs.size(); ++j) {
+            const int before = order_of(pairs[i].before, pairs[j].before);
+            const int now = order_of(pairs[i].now, pairs[j].now);
+            if (before * now != -1) continue;
+            const Pair& cheaper = before < 0 ? pairs[i] : pairs[j];
+            const Pair& dearer = before < 0 ? pairs[j] : pairs[i];
+            reversals.push_back(
+                {scene, cheaper.grade, dearer.grade, cheaper.before, dearer.before, cheaper.now, dearer.now});
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Reversal> same_order(const StudyResult& old_run, const StudyResult& new_run) {
+    std::vector<Reversal> reversals;
+    const std::vector<SceneGrades> old_scenes = by_scene(old_run);
+    for (const SceneGrades& scene : by_scene(new_run)) {
+        const auto found =
+            std::find_if(old_scenes.begin(), old_scenes.end(),
+                         [&](const SceneGrades& old_scene) { return old_scene.scene == scene.scene; });
+        if (found != old_scenes.end()) append_reversals(reversals, scene.scene, pairs_of(*found, scene));
+    }
+    return reversals;
+}
+
+std::string to_text(const Reversal& r) {
+    return fmt::format(
+        "{}: {} was cheaper than {} ({:.2f} against {:.2f}), now it is dearer ({:.2f} against {:.2f})",
+        r.scene, r.grade, r.other, r.old_ratio.median, r.old_other_ratio.median, r.new_ratio.median,
+        r.new_other_ratio.median);
+}
+
+}  // namespace rambla::game::study

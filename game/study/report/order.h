@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "game/study/report/timing.h"
+#include "game/study/result.h"
+
+namespace rambla::game::study {
+
+/// Two grades of a scene that changed places.
+struct Reversal {
+    std::string scene;
+    std::string grade;  ///< the cheaper one before, the dearer one now
+    std::string other;
+    Spread old_ratio, old_other_ratio;  ///< to the cheapest grade of their scene
+    Spread new_ratio, new_other_ratio;
+};
+
+/// The pairs of grades of one scene whose order of cost is another in two runs of a study, although in each
+/// run they differ by more than the spread that is printed: the 10–90 % intervals of their ratios to the
+/// cheapest grade do not overlap. Grades and scenes that only one of the runs has say nothing.
+[[nodiscard]] std::vector<Reversal> same_order(const StudyResult& old_run, const StudyResult& new_run);
+
+/// "blocks: a was cheaper than b (1.00 against 1.52), now it is dearer (1.41 against 1.00)"
+[[nodiscard]] std::string to_text(const Reversal& reversal);
+
+}  // namespace rambla::game::study

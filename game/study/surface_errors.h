@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "assets/trace/picture.h"
+#include "game/study/result.h"
+#include "render/render_thread.h"
+
+namespace rambla::game::study {
+
+/// How far places and normals that lighting reads of the G-buffer are from what the ray through each pixel's
+/// middle meets. Pixels at the rim of an object or at a step in depth are left out: there, ray and rasteriser
+/// may rightly meet two surfaces.
+class SurfaceErrors {
+public:
+    /// @param seen  traced by the camera that the others are drawn by
+    void add(const assets::HitPicture& seen, const render::ObjectImage& objects,
+             const render::SurfaceImages& surfaces);
+
+    /// Of all pictures: `position_p50_mm`, `position_p99_mm`, `position_max_mm`, `position_p99_ppm` of the
+    /// distance from the eye, `angle_p50_deg`, `angle_p99_deg`, `angle_max_deg`, and `compared_pct` of the
+    /// pixels.
+    [[nodiscard]] std::vector<Metric> metrics() const;
+
+private:
+    std::vector<double> position_mm_;
+    std::vector<double> position_ppm_;
+    std::vector<glm::vec3> normals_;
+    std::vector<glm::vec3> normals_found_;
+    std::size_t pixels_ = 0;
+};
+
+}  // namespace rambla::game::study
