@@ -1,11 +1,14 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -78,20 +81,40 @@ std::vector<std::string> names_in_order() {
     return names;
 }
 
-/// Compares with an earlier run: how many pairs of grades changed places by more than their spreads.
-std::size_t tell_reversals(const study::StudyRun& before, const std::vector<StudyResult>& results,
-                           std::string& text) {
-    std::size_t found = 0;
+/// Compares with an earlier run. @return  whether there was something to compare, and no pair of grades
+/// changed places by more than its spreads
+bool tell_reversals(const study::StudyRun& before, const std::vector<StudyResult>& results,
+                    std::string& text) {
+    std::size_t compared = 0;
+    std::size_t reversed = 0;
     for (const StudyResult& result : results) {
         if (result.name != before.result.name) continue;
+        compared += study::compared_pairs(before.result, result);
         for (const study::Reversal& reversal : study::same_order(before.result, result)) {
             text += fmt::format("CHANGED PLACES  {}\n", study::to_text(reversal));
-            ++found;
+            ++reversed;
         }
     }
-    text += fmt::format("{} pairs of grades of {} changed places by more than their spreads\n", found,
-                        before.result.name);
-    return found;
+    text += fmt::format(
+        "{}: {} pairs of grades differ by more than their spreads in both runs, {} changed places\n",
+        before.result.name, compared, reversed);
+    return compared > 0 && reversed == 0;
+}
+
+/// The earlier run, where one is asked for. @throws std::invalid_argument  if it is of a study that is not
+/// run
+std::optional<study::StudyRun> earlier_run(const StudyCommand& command,
+                                           const std::vector<const study::Study*>& studies) {
+    if (command.against.empty()) return std::nullopt;
+    study::StudyRun before = study::read_study(command.against);
+    const bool run = std::any_of(studies.begin(), studies.end(), [&](const study::Study* chosen) {
+        return chosen->name == before.result.name;
+    });
+    if (!run)
+        throw std::invalid_argument{
+            fmt::format("{}: found a run of the study '{}', expected one of those to be run",
+                        command.against.string(), before.result.name)};
+    return before;
 }
 
 nlohmann::json summary_json(const std::vector<StudyResult>& results, const fs::path& folder) {
@@ -108,8 +131,7 @@ nlohmann::json summary_json(const std::vector<StudyResult>& results, const fs::p
 int run(StudyCommand& command) {
     prepare_json(command.options.json);
     const std::vector<const study::Study*> studies = study::find_studies(command.names);
-    study::StudyRun before;
-    if (!command.against.empty()) before = study::read_study(command.against);
+    const std::optional<study::StudyRun> before = earlier_run(command, studies);
     const tbb::global_control limit = worker_limit(command.options);
     const Interrupts interrupts;
     study::StudyContext context{command.study, g_stop};
@@ -127,15 +149,16 @@ int run(StudyCommand& command) {
         text += study::to_text(results.back());
         complete = complete && results.back().incomplete.empty();
     }
-    if (context.stopped()) {
-        spdlog::warn("Interrupted: {} of {} studies are in {}, the last of them marked as incomplete",
+    complete = complete && results.size() == studies.size();
+    if (context.stopped() && !complete) {
+        spdlog::warn("Interrupted: {} of {} studies were begun and are in {}; what is incomplete is marked",
                      results.size(), studies.size(), command.folder.string());
     }
-    const std::size_t reversals = command.against.empty() ? 0 : tell_reversals(before, results, text);
+    const bool same_order = !before || tell_reversals(*before, results, text);
     print_result(command.options.json, text);
     write_json(command.options.json, summary_json(results, command.folder));
     spdlog::info("The report is {}", (command.folder / "index.html").string());
-    return complete && reversals == 0 && results.size() == studies.size() ? k_done : k_check_failed;
+    return complete && same_order ? k_done : k_check_failed;
 }
 
 }  // namespace

@@ -126,6 +126,7 @@ void measure_pictures(StudyContext& context, StudyResult& result) {
         const std::string scene = fmt::format("street, {}", size_text(size_px));
         draw_all(context, all, size_px, rounds, scene);
         for (Shown& shown : all) {
+            if (shown.ms.empty()) return;
             result.grades.push_back({.scene = scene,
                                      .grade = shown.grade,
                                      .ms = std::move(shown.ms),
@@ -137,9 +138,31 @@ void measure_pictures(StudyContext& context, StudyResult& result) {
         result.tables.push_back(format_table(shown));
 }
 
+struct Made {
+    double ms = 0.0;
+    double bytes = 0.0;
+    std::vector<double> rms{};  ///< of the finest level of each texture
+};
+
+/// Makes the first `jobs` textures of a plan, one after the other; fewer when the context is stopped.
+Made make_textures(const StudyContext& context, const Stage& stage, const assets::TexturePlan& plan,
+                   std::size_t jobs, Compression compression) {
+    using Clock = std::chrono::steady_clock;
+    Made made;
+    const Clock::time_point start = Clock::now();
+    for (std::size_t job = 0; job < jobs && !context.stopped(); ++job) {
+        const assets::TextureData texture = assets::process_texture(
+            plan.jobs[job], plan.channels[job], stage.scene->images, {.compression = compression});
+        made.bytes += static_cast<double>(texture.bytes.size());
+        if (!texture.levels.empty())
+            made.rms.push_back(static_cast<double>(texture.levels.front().rms_error));
+    }
+    made.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return made;
+}
+
 /// What making a scene's textures takes, mip levels included, by one thread at a time.
 void measure_encoding(StudyContext& context, StudyResult& result) {
-    using Clock = std::chrono::steady_clock;
     const Stage stage = make_stage("street", context.options().seed, {}, {});
     const assets::TexturePlan plan = assets::plan_textures(*stage.scene);
     const std::size_t jobs =
@@ -151,28 +174,20 @@ void measure_encoding(StudyContext& context, StudyResult& result) {
         grades.push_back({.scene = scene, .grade = fmt::format("compression={}", compression)});
     Progress progress{"compression: " + scene, rounds * 3, !context.options().quiet};
     for (std::uint32_t round = 0; round < rounds; ++round) {
-        for (std::size_t grade = 0; grade < grades.size(); ++grade) {
-            const assets::TextureParameters parameters{static_cast<Compression>(grade)};
-            double bytes = 0.0;
-            std::vector<double> rms;
-            const Clock::time_point start = Clock::now();
-            for (std::size_t job = 0; job < jobs; ++job) {
-                if (context.stopped()) return;
-                const assets::TextureData texture = assets::process_texture(
-                    plan.jobs[job], plan.channels[job], stage.scene->images, parameters);
-                bytes += static_cast<double>(texture.bytes.size());
-                if (!texture.levels.empty())
-                    rms.push_back(static_cast<double>(texture.levels.front().rms_error));
-            }
-            grades[grade].ms.push_back(
-                std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-            grades[grade].bytes = bytes;
-            grades[grade].metrics = {{"texel_rms_median", median(rms), ""},
-                                     {"texel_rms_max", percentile(rms, 1.0), ""}};
+        std::vector<Made> made;
+        for (std::size_t grade = 0; grade < grades.size() && !context.stopped(); ++grade) {
+            made.push_back(make_textures(context, stage, plan, jobs, static_cast<Compression>(grade)));
             progress.update(static_cast<std::uint32_t>(round * grades.size() + grade + 1));
         }
+        if (context.stopped()) break;
+        for (std::size_t grade = 0; grade < grades.size(); ++grade) {
+            grades[grade].ms.push_back(made[grade].ms);
+            grades[grade].bytes = made[grade].bytes;
+            grades[grade].metrics = {{"texel_rms_median", median(made[grade].rms), ""},
+                                     {"texel_rms_max", percentile(made[grade].rms, 1.0), ""}};
+        }
     }
-    result.grades.insert(result.grades.end(), grades.begin(), grades.end());
+    if (!grades.front().ms.empty()) result.grades.insert(result.grades.end(), grades.begin(), grades.end());
 }
 
 void run(StudyContext& context, StudyResult& result) {

@@ -50,7 +50,7 @@ std::vector<PictureCost> draw_in_turns(StudyContext& context, Stage& stage,
         const systems::Eye at = eye(round);
         std::vector<systems::Feedback> told(grades.size());
         for (std::size_t turn = 0; turn < grades.size(); ++turn) {
-            if (context.stopped()) return costs;
+            if (context.stopped()) return round > 0 ? costs : std::vector<PictureCost>{};
             const std::size_t grade = (turn + round) % grades.size();
             told[grade] = draw(context.thread(), stage, grades[grade], at).feedback;
         }

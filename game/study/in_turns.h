@@ -37,7 +37,7 @@ using EyeOfRound = std::function<systems::Eye(std::uint32_t)>;
 
 /// Draws a picture in each grade, round after round, A B C A B C, so that what slows the machine for a while
 /// slows all of them; who begins changes from round to round, and a round before the first does not count.
-/// Ends early when the context is stopped: all grades then have the same rounds.
+/// Ends early when the context is stopped: all grades then have the same rounds, or there is nothing at all.
 [[nodiscard]] std::vector<PictureCost> draw_in_turns(StudyContext& context, Stage& stage,
                                                      std::span<const PictureGrade> grades,
                                                      const EyeOfRound& eye, std::uint32_t rounds,

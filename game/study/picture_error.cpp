@@ -10,7 +10,7 @@
 namespace rambla::game::study {
 namespace {
 
-/// Two neighbouring values of four bits: what most eyes do not tell apart.
+/// What few eyes tell apart beside each other: a step of six bits.
 constexpr int k_tolerance_255ths = 4;
 
 double wrong_bytes_pct(const assets::Image& reference, const assets::Image& test) {

@@ -20,14 +20,14 @@ glm::vec3 texel_of(const assets::Image& image, std::size_t index) {
 /// Whether the ray through a pixel's middle and those of its neighbours meet one smooth surface. Where they
 /// do not, the rasteriser may show another triangle than the ray meets.
 bool is_smooth(const assets::HitPicture& seen, std::uint32_t x, std::uint32_t y) {
-    constexpr double k_step_share = 0.01;  // of the distance, off the plane through the hit
+    constexpr double k_step_share = 0.001;  // of the distance, off the plane through the hit
     const glm::uvec2 size = seen.size_px;
     const assets::TraceHit& hit = seen.hits[std::size_t{y} * size.x + x];
     if (!hit.exists()) return false;
     for (std::uint32_t ny = y > 0 ? y - 1 : 0; ny <= std::min(y + 1, size.y - 1); ++ny) {
         for (std::uint32_t nx = x > 0 ? x - 1 : 0; nx <= std::min(x + 1, size.x - 1); ++nx) {
             const assets::TraceHit& other = seen.hits[std::size_t{ny} * size.x + nx];
-            if (other.object != hit.object) return false;
+            if (other.instance != hit.instance) return false;
             const double off_m = glm::dot(hit.geometric_normal, other.position_m - hit.position_m);
             if (std::fabs(off_m) > k_step_share * hit.distance_m) return false;
         }
@@ -47,11 +47,17 @@ void SurfaceErrors::add(const assets::HitPicture& seen, const render::ObjectImag
         const auto x = static_cast<std::uint32_t>(i % seen.size_px.x);
         const auto y = static_cast<std::uint32_t>(i / seen.size_px.x);
         if (!is_smooth(seen, x, y) || objects.ids[i] != hit.object) continue;
-        const double away_m = glm::distance(hit.position_m, glm::dvec3{texel_of(surfaces.positions, i)});
+        const glm::vec3 position = texel_of(surfaces.positions, i);
+        const glm::vec3 normal = texel_of(surfaces.normals, i);
+        if (!is_finite(position) || !is_finite(normal) || normal == glm::vec3{0.0f}) {
+            ++broken_;
+            continue;
+        }
+        const double away_m = glm::distance(hit.position_m, glm::dvec3{position});
         position_mm_.push_back(k_mm * away_m);
         position_ppm_.push_back(k_ppm * away_m / hit.distance_m);
         normals_.emplace_back(hit.shading_normal);
-        normals_found_.push_back(texel_of(surfaces.normals, i));
+        normals_found_.push_back(normal);
     }
 }
 
@@ -64,6 +70,7 @@ std::vector<Metric> SurfaceErrors::metrics() const {
             {"angle_p50_deg", angles.p50_deg, "deg"},
             {"angle_p99_deg", angles.p99_deg, "deg"},
             {"angle_max_deg", angles.max_deg, "deg"},
+            {"broken_pct", percent(broken_, pixels_), "%"},
             {"compared_pct", percent(position_mm_.size(), pixels_), "%"}};
 }
 

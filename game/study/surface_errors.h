@@ -30,6 +30,7 @@ private:
     std::vector<glm::vec3> normals_;
     std::vector<glm::vec3> normals_found_;
     std::size_t pixels_ = 0;
+    std::size_t broken_ = 0;
 };
 
 }  // namespace rambla::game::study

@@ -55,6 +55,11 @@ function layout_findings({ smallest_text_px, tolerance_px }) {
   return findings;
 }
 
+/// What is folded has to be as right as the rest.
+function unfold() {
+  for (const folded of document.querySelectorAll('details')) folded.open = true;
+}
+
 /// The text and the number of marks that a reader finds.
 function content() {
   return { text: document.body.innerText, marks: document.querySelectorAll('svg.plot .mark').length };
@@ -81,12 +86,14 @@ export async function findings({ width, page, plain }, url, screenshot) {
   };
   for (const [event, listener] of Object.entries(listeners)) page.on(event, listener);
   await page.goto(url);
+  if (screenshot) await page.screenshot({ path: screenshot, fullPage: true });
+  await page.evaluate(unfold);
   found.push(...await page.evaluate(layout_findings, { smallest_text_px, tolerance_px }));
   const with_scripts = await page.evaluate(content);
-  if (screenshot) await page.screenshot({ path: screenshot, fullPage: true });
   for (const [event, listener] of Object.entries(listeners)) page.off(event, listener);
 
   await plain.goto(url);
+  await plain.evaluate(unfold);
   const without_scripts = await plain.evaluate(content);
   if (without_scripts.text !== with_scripts.text || without_scripts.marks !== with_scripts.marks)
     found.push('the page has other content without scripts');

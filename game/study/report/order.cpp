@@ -7,6 +7,9 @@
 namespace rambla::game::study {
 namespace {
 
+/// An interval of one or two values is no wider than their difference, which may be any.
+constexpr std::size_t k_least_rounds = 3;
+
 /// One grade's ratio in both runs.
 struct Pair {
     std::string grade;
@@ -30,7 +33,9 @@ std::vector<Pair> pairs_of(const SceneGrades& old_scene, const SceneGrades& new_
         const auto index = static_cast<std::size_t>(found - old_scene.grades.begin());
         const std::optional<Spread>& before = old_scene.timings[index].ratio;
         const std::optional<Spread>& now = new_scene.timings[i].ratio;
-        if (before && now) pairs.push_back({name, *before, *now});
+        const bool enough = old_scene.grades[index].ms.size() >= k_least_rounds &&
+                            new_scene.grades[i].ms.size() >= k_least_rounds;
+        if (enough && before && now) pairs.push_back({name, *before, *now});
     }
     return pairs;
 }
@@ -50,18 +55,40 @@ void append_reversals(std::vector<Reversal>& reversals, const std::string& scene
     }
 }
 
-}  // namespace
-
-std::vector<Reversal> same_order(const StudyResult& old_run, const StudyResult& new_run) {
-    std::vector<Reversal> reversals;
+/// Calls `visit` with the name of each scene that both runs have, and its grades.
+template <class Visit>
+void for_each_scene(const StudyResult& old_run, const StudyResult& new_run, Visit&& visit) {
     const std::vector<SceneGrades> old_scenes = by_scene(old_run);
     for (const SceneGrades& scene : by_scene(new_run)) {
         const auto found =
             std::find_if(old_scenes.begin(), old_scenes.end(),
                          [&](const SceneGrades& old_scene) { return old_scene.scene == scene.scene; });
-        if (found != old_scenes.end()) append_reversals(reversals, scene.scene, pairs_of(*found, scene));
+        if (found != old_scenes.end()) visit(scene.scene, pairs_of(*found, scene));
     }
+}
+
+}  // namespace
+
+std::vector<Reversal> same_order(const StudyResult& old_run, const StudyResult& new_run) {
+    std::vector<Reversal> reversals;
+    for_each_scene(old_run, new_run, [&](const std::string& scene, const std::vector<Pair>& pairs) {
+        append_reversals(reversals, scene, pairs);
+    });
     return reversals;
+}
+
+std::size_t compared_pairs(const StudyResult& old_run, const StudyResult& new_run) {
+    std::size_t count = 0;
+    for_each_scene(old_run, new_run, [&](const std::string&, const std::vector<Pair>& pairs) {
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            for (std::size_t j = i + 1; j < pairs.size(); ++j) {
+                const bool before = order_of(pairs[i].before, pairs[j].before) != 0;
+                const bool now = order_of(pairs[i].now, pairs[j].now) != 0;
+                count += before && now ? 1 : 0;
+            }
+        }
+    });
+    return count;
 }
 
 std::string to_text(const Reversal& r) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct Reversal {
 /// run they differ by more than the spread that is printed: the 10–90 % intervals of their ratios to the
 /// cheapest grade do not overlap. Grades and scenes that only one of the runs has say nothing.
 [[nodiscard]] std::vector<Reversal> same_order(const StudyResult& old_run, const StudyResult& new_run);
+
+/// How many pairs of grades of one scene differ by more than the printed spread in both runs: all that
+/// same_order() can say something about. Grades of fewer than three rounds have no spread worth the name.
+[[nodiscard]] std::size_t compared_pairs(const StudyResult& old_run, const StudyResult& new_run);
 
 /// "blocks: a was cheaper than b (1.00 against 1.52), now it is dearer (1.41 against 1.00)"
 [[nodiscard]] std::string to_text(const Reversal& reversal);

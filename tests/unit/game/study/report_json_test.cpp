@@ -44,15 +44,36 @@ TEST(StudyJson, ReadsBackWhatItWrote) {
     const std::string text = to_json(run);
     const StudyRun back = from_json(text, "x.json");
     EXPECT_EQ(back.facts, run.facts);
-    EXPECT_EQ(back.result.question, run.result.question);
-    EXPECT_EQ(back.result.grades[0].ms, run.result.grades[0].ms);
-    EXPECT_EQ(back.result.grades[0].metrics[1].value, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(back.result.plots[0].series[0].points, run.result.plots[0].series[0].points);
-    EXPECT_TRUE(back.result.plots[0].x_log);
-    EXPECT_TRUE(back.result.plots[0].series[0].line);
-    EXPECT_EQ(back.result.tables[0].rows, run.result.tables[0].rows);
-    EXPECT_EQ(back.result.duration_s, 12.75);
-    // The text holds every member, so that an equal one means that none was lost.
+    const StudyResult& is = back.result;
+    const StudyResult& was = run.result;
+    EXPECT_EQ(is.name, was.name);
+    EXPECT_EQ(is.title, was.title);
+    EXPECT_EQ(is.question, was.question);
+    EXPECT_EQ(is.reference, was.reference);
+    EXPECT_EQ(is.command, was.command);
+    EXPECT_EQ(is.plotted_metric, was.plotted_metric);
+    EXPECT_EQ(is.incomplete, was.incomplete);
+    EXPECT_EQ(is.duration_s, was.duration_s);
+    ASSERT_EQ(is.grades.size(), 2u);
+    EXPECT_EQ(is.grades[0].scene, was.grades[0].scene);
+    EXPECT_EQ(is.grades[0].grade, was.grades[0].grade);
+    EXPECT_EQ(is.grades[0].ms, was.grades[0].ms);
+    EXPECT_EQ(is.grades[0].bytes, was.grades[0].bytes);
+    EXPECT_EQ(is.grades[0].metrics[1].name, "psnr_db");
+    EXPECT_EQ(is.grades[0].metrics[1].unit, "dB");
+    EXPECT_EQ(is.grades[0].metrics[1].value, std::numeric_limits<double>::infinity());
+    const Plot& plot = is.plots.at(0);
+    EXPECT_EQ(plot.title, was.plots[0].title);
+    EXPECT_EQ(plot.x_label, was.plots[0].x_label);
+    EXPECT_EQ(plot.y_label, was.plots[0].y_label);
+    EXPECT_TRUE(plot.x_log && !plot.y_log && plot.pareto);
+    EXPECT_EQ(plot.series[0].name, was.plots[0].series[0].name);
+    EXPECT_EQ(plot.series[0].points, was.plots[0].series[0].points);
+    EXPECT_TRUE(plot.series[0].line && !plot.series[1].line);
+    EXPECT_EQ(is.tables.at(0).title, was.tables[0].title);
+    EXPECT_EQ(is.tables[0].head, was.tables[0].head);
+    EXPECT_EQ(is.tables[0].rows, was.tables[0].rows);
+    // Whatever is compared above for one item holds for all.
     EXPECT_EQ(to_json(back), text);
 }
 

@@ -22,11 +22,19 @@ TEST(StudyOrder, ReportsGradesThatChangedPlaces) {
     const StudyResult now =
         study({grade("s", "c", {3, 3, 3}), grade("s", "b", {1, 1, 1}), grade("s", "a", {1.5, 1.5, 1.5})});
     const std::vector<Reversal> reversals = same_order(before, now);
+    EXPECT_EQ(compared_pairs(before, now), 3u);
     ASSERT_EQ(reversals.size(), 1u);
     EXPECT_EQ(reversals[0].grade, "a");
     EXPECT_EQ(reversals[0].other, "b");
     EXPECT_EQ(to_text(reversals[0]),
               "s: a was cheaper than b (1.00 against 2.00), now it is dearer (1.50 against 1.00)");
+}
+
+TEST(StudyOrder, TwoRoundsAreTooFewToSayAnything) {
+    const StudyResult before = study({grade("s", "a", {1, 1}), grade("s", "b", {2, 2})});
+    const StudyResult now = study({grade("s", "a", {2, 2}), grade("s", "b", {1, 1})});
+    EXPECT_TRUE(same_order(before, now).empty());
+    EXPECT_EQ(compared_pairs(before, now), 0u);
 }
 
 TEST(StudyOrder, TheSameRunHasNoReversal) {

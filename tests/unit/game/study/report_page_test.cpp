@@ -72,6 +72,15 @@ TEST(StudyPage, ShowsEachGradeWithCostAndError) {
     EXPECT_EQ(matches(html, "<svg class=\"plot\"").size(), 1u);
 }
 
+TEST(StudyPage, MarksTheCheapestGradeInItsRow) {
+    StudyRun run = sample();
+    run.result.grades[2].ms = {1, 1, 1};
+    const std::string html = body(to_page({run}, k_facts));
+    const std::size_t row = html.find(">worse<");
+    EXPECT_LT(row, html.find("class=\"tag\">cheapest<"));
+    EXPECT_EQ(matches(html, "class=\"tag\">cheapest<").size(), 1u);
+}
+
 TEST(StudyPage, GradesWithoutTimesOrMetricsShowDashes) {
     StudyRun run = sample();
     run.result.grades[0].ms.clear();

@@ -81,6 +81,8 @@ TEST_F(StudyReport, ANewRunOfAStudyReplacesTheEarlierOne) {
     write(folder, study("bloom", "After"));
     EXPECT_THAT(text("index.html"), HasSubstr("After"));
     EXPECT_THAT(text("index.html"), Not(HasSubstr("Before")));
+    const std::string page = text("index.html");
+    EXPECT_EQ(page.find("id=\"bloom\""), page.rfind("id=\"bloom\""));  // once
 }
 
 TEST_F(StudyReport, APlotThatIsNoMoreIsRemoved) {
