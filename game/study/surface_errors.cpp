@@ -41,6 +41,7 @@ void SurfaceErrors::add(const assets::HitPicture& seen, const render::ObjectImag
                         const render::SurfaceImages& surfaces) {
     constexpr double k_mm = 1e3;
     constexpr double k_ppm = 1e6;
+    constexpr double k_other_surface_share = 0.01;  // no layout is off by that much
     pixels_ += seen.hits.size();
     for (std::size_t i = 0; i < seen.hits.size(); ++i) {
         const assets::TraceHit& hit = seen.hits[i];
@@ -54,6 +55,10 @@ void SurfaceErrors::add(const assets::HitPicture& seen, const render::ObjectImag
             continue;
         }
         const double away_m = glm::distance(hit.position_m, glm::dvec3{position});
+        if (away_m > k_other_surface_share * hit.distance_m) {
+            ++other_surfaces_;
+            continue;
+        }
         position_mm_.push_back(k_mm * away_m);
         position_ppm_.push_back(k_ppm * away_m / hit.distance_m);
         normals_.emplace_back(hit.shading_normal);
@@ -70,6 +75,7 @@ std::vector<Metric> SurfaceErrors::metrics() const {
             {"angle_p50_deg", angles.p50_deg, "deg"},
             {"angle_p99_deg", angles.p99_deg, "deg"},
             {"angle_max_deg", angles.max_deg, "deg"},
+            {"other_surface_pct", percent(other_surfaces_, pixels_), "%"},
             {"broken_pct", percent(broken_, pixels_), "%"},
             {"compared_pct", percent(position_mm_.size(), pixels_), "%"}};
 }

@@ -20,8 +20,10 @@ public:
              const render::SurfaceImages& surfaces);
 
     /// Of all pictures: `position_p50_mm`, `position_p99_mm`, `position_max_mm`, `position_p99_ppm` of the
-    /// distance from the eye, `angle_p50_deg`, `angle_p99_deg`, `angle_max_deg`, and `compared_pct` of the
-    /// pixels.
+    /// distance from the eye, `angle_p50_deg`, `angle_p99_deg`, `angle_max_deg`. Of the pixels:
+    /// `other_surface_pct`, which are farther off than a hundredth of the distance, and so show another
+    /// surface (masks, coincident faces); `broken_pct`, which have no finite place or no normal;
+    /// `compared_pct`.
     [[nodiscard]] std::vector<Metric> metrics() const;
 
 private:
@@ -31,6 +33,7 @@ private:
     std::vector<glm::vec3> normals_found_;
     std::size_t pixels_ = 0;
     std::size_t broken_ = 0;
+    std::size_t other_surfaces_ = 0;
 };
 
 }  // namespace rambla::game::study

@@ -188,6 +188,9 @@ TEST_F(Surfaces, AnotherPixelIsNoticed) {
     EXPECT_GT(value_of(after, "angle_max_deg"), 10.0);
     EXPECT_LT(value_of(before, "position_max_mm"), 100.0);
     EXPECT_EQ(value_of(before, "broken_pct"), 0.0);
+    EXPECT_EQ(value_of(before, "other_surface_pct"), 0.0);
+    texel(drawn.surfaces->positions)->x += 50.0f;
+    EXPECT_GT(value_of(errors(), "other_surface_pct"), 0.0);
     texel(drawn.surfaces->positions)->x = std::nanf("");
     EXPECT_GT(value_of(errors(), "broken_pct"), 0.0);
     *texel(drawn.surfaces->normals) = glm::vec4{0.0f};
