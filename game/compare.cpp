@@ -71,6 +71,8 @@ render::Settings compare_settings(render::Settings settings, std::string_view sc
                         .size_texels = 2048,
                         .taps = render::ShadowTaps::sixteen,
                         .distance_m = 400.0f};  // from any eye of the way to the plane's farthest corner
+    settings.exposure.mode = render::ExposureMode::fixed;
+    settings.bloom.method = render::BloomMethod::off;
     settings.anti_aliasing.method =
         has_post_effects(scene) ? render::AntiAliasing::fxaa : render::AntiAliasing::none;
     return settings;

@@ -62,7 +62,7 @@ systems::Eye eye_on_everything(const assets::Bounds& box, const ViewWishes& wish
 render::Settings settings_for(const ViewWishes& wishes, const systems::Eye& eye, const assets::Bounds& box,
                               float exposure_ev) {
     render::Settings settings = wishes.settings;
-    if (!wishes.own_exposure) settings.tone.exposure_ev = exposure_ev;
+    if (!wishes.own_exposure) settings.exposure.ev = exposure_ev;
     if (wishes.own_shadows || box.empty()) return settings;
     const glm::vec3 to_centre = systems::offset_m(eye.place, wishes.origin) + box.centre();
     settings.shadows.distance_m = glm::length(to_centre) + glm::length(box.half_extents());

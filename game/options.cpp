@@ -21,14 +21,11 @@
 namespace rambla::game {
 namespace {
 
-/// --NAME CHOICE:field=value,… for all of a struct but the field that has an option of its own; the fields
-/// are explained at the end of --help.
+/// --NAME CHOICE:field=value,… for all of a struct; the fields are explained at the end of --help.
 template <class Struct, std::size_t Count>
 void add_method_option(CLI::App& command, const std::string& name,
-                       const std::array<Parameter<Struct>, Count>& table, Struct& object,
-                       std::string_view field_elsewhere = {}) {
-    std::vector<BoundParameter> parameters = bind(table, object);
-    std::erase_if(parameters, [&](const BoundParameter& p) { return p.name == field_elsewhere; });
+                       const std::array<Parameter<Struct>, Count>& table, Struct& object) {
+    const std::vector<BoundParameter> parameters = bind(table, object);
     const bool has_fields = parameters.size() > 1;
     command
         .add_option_function<std::string>(
@@ -63,31 +60,25 @@ void add_fields_option(CLI::App& command, const std::string& name, std::string_v
                                help_text(parameters)));
 }
 
-/// --NAME VALUE for the one field of a struct that stands under that name in its table.
-template <class Struct, std::size_t Count>
-void add_field_option(CLI::App& command, std::string_view field,
-                      const std::array<Parameter<Struct>, Count>& table, Struct& object) {
-    const std::string name = fmt::format("--{}", field);
-    for (const BoundParameter& parameter : bind(table, object)) {
-        if (parameter.name != field) continue;
-        command
-            .add_option_function<std::string>(
-                name,
-                [name, parameter](const std::string& text) {
-                    usage_checked(name, [&] { set_from_text(parameter, text); });
-                },
-                fmt::format("{} ({}; default {})", parameter.help, expected_text(parameter),
-                            value_text(parameter)))
-            ->type_name(parameter.unit.empty() ? "VALUE" : std::string{parameter.unit})
-            ->group("Algorithms");
-    }
+/// --exposure, for which a number alone stands for `fixed:ev=` that number.
+void add_exposure_option(CLI::App& command, Options& options) {
+    add_method_option(command, "--exposure", render::k_exposure_parameters, options.settings.exposure);
+    command.get_option("--exposure")
+        ->type_name("EV|METHOD[:name=value,...]")
+        ->transform([&options](std::string text) {
+            double ev = 0.0;
+            const char* const end = text.data() + text.size();
+            if (std::from_chars(text.data(), end, ev).ptr == end) text.insert(0, "fixed:ev=");
+            if (text.find("ev=") != std::string::npos) options.own_exposure = true;
+            return text;
+        });
 }
 
 }  // namespace
 
 render::Settings Options::settings_at(float exposure_ev) const {
     render::Settings chosen = settings;
-    if (exposure_given == nullptr || exposure_given->count() == 0) chosen.tone.exposure_ev = exposure_ev;
+    if (!own_exposure) chosen.exposure.ev = exposure_ev;
     return chosen;
 }
 
@@ -153,9 +144,9 @@ void add_picture_options(CLI::App& command, Options& options) {
     add_method_option(command, "--detail", render::k_detail_parameters, options.settings.detail);
     add_method_option(command, "--brdf", render::k_brdf_parameters, options.settings.brdf);
     add_method_option(command, "--shadows", render::k_shadow_parameters, options.settings.shadows);
-    add_method_option(command, "--tonemap", render::k_tone_parameters, options.settings.tone, "exposure");
-    add_field_option(command, "exposure", render::k_tone_parameters, options.settings.tone);
-    options.exposure_given = command.get_option("--exposure");
+    add_exposure_option(command, options);
+    add_method_option(command, "--tonemap", render::k_tone_parameters, options.settings.tone);
+    add_method_option(command, "--bloom", render::k_bloom_parameters, options.settings.bloom);
     add_method_option(command, "--aa", render::k_anti_aliasing_parameters, options.settings.anti_aliasing);
     add_method_option(command, "--debug-view", render::k_debug_parameters, options.settings.debug);
     add_fields_option(command, "--textures", "How much of the scene's textures is on the graphics card",

@@ -29,8 +29,8 @@ struct Options {
     std::filesystem::path trace;  ///< empty: none
     bool quiet = false;
     render::Settings settings;
-    const CLI::Option* time_given = nullptr;      ///< --time, where the command has it
-    const CLI::Option* exposure_given = nullptr;  ///< --exposure, where the command has it
+    const CLI::Option* time_given = nullptr;  ///< --time, where the command has it
+    bool own_exposure = false;                ///< the user has said an EV
 
     /// The settings, at the exposure that the light wants unless the user has said another.
     [[nodiscard]] render::Settings settings_at(float exposure_ev) const;

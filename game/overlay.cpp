@@ -69,6 +69,10 @@ void show(const OverlayState& state) {
                 static_cast<double>(textures.resident_bytes) / 1048576.0,
                 static_cast<double>(textures.budget_bytes) / 1048576.0, textures.pending_loads,
                 textures.below_demand);
+    const systems::ExposureFeedback& exposure = state.feedback.exposure;
+    if (exposure.known)
+        ImGui::Text("exposure %+.2f EV for a mean luminance of %.3f, %u pixels are no numbers",
+                    exposure.departure_ev, exposure.average_luminance, exposure.bad_pixels);
 }
 
 }  // namespace
@@ -80,7 +84,9 @@ Overlay::Overlay(render::Settings& settings, std::function<void()> own_part)
     add_group("surface detail", bind(render::k_detail_parameters, settings.detail));
     add_group("reflection model", bind(render::k_brdf_parameters, settings.brdf));
     add_group("shadows", bind(render::k_shadow_parameters, settings.shadows));
+    add_group("exposure", bind(render::k_exposure_parameters, settings.exposure));
     add_group("tone mapping", bind(render::k_tone_parameters, settings.tone));
+    add_group("bloom", bind(render::k_bloom_parameters, settings.bloom));
     add_group("anti-aliasing", bind(render::k_anti_aliasing_parameters, settings.anti_aliasing));
     add_group("textures", bind(render::k_texture_budget_parameters, settings.textures));
     add_group("debugging", bind(render::k_debug_parameters, settings.debug));

@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "game/pass_table.h"
@@ -114,6 +115,18 @@ nlohmann::json textures_json(const systems::TextureFeedback& t) {
             {"pending_loads", t.pending_loads},   {"below_demand", t.below_demand}};
 }
 
+/// After the last frame, but for the most bad pixels of any; null where nothing looked at luminances.
+nlohmann::json exposure_json(const WalkMeasures& m) {
+    if (m.drawn.empty() || !m.drawn.back().exposure.known) return {};
+    const systems::ExposureFeedback& last = m.drawn.back().exposure;
+    std::uint32_t most_bad_pixels = 0;
+    for (const systems::Feedback& feedback : m.drawn)
+        most_bad_pixels = std::max(most_bad_pixels, feedback.exposure.bad_pixels);
+    return {{"departure_ev", last.departure_ev},
+            {"average_luminance", last.average_luminance},
+            {"bad_pixels_most", most_bad_pixels}};
+}
+
 nlohmann::json summary_json(const WalkMeasures& m) {
     nlohmann::json systems_ms = nlohmann::json::object();
     for (const SystemSamples& system : m.systems)
@@ -145,6 +158,7 @@ nlohmann::json summary_json(const WalkMeasures& m) {
             {"gl_pacing_waits", sum_of(m.drawn, &systems::Feedback::gl_pacing_waits)},
             {"gpu_memory_bytes", gpu_memory_bytes(m)},
             {"textures", textures_json(last_textures(m))},
+            {"exposure", exposure_json(m)},
             {"gl_objects", last_held(m).gl_objects}};
 }
 

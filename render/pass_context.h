@@ -37,6 +37,17 @@ void bind_tiles(const PassContext& context, const TileLists& lists);
 /// Draws a quad for each tile of a class, shared::k_tile_class_…; the vertex shader is tile.vert.glsl.
 void draw_tiles(std::uint32_t tile_class);
 
+/// Over all pixels of a picture, in the one texel of the texture's last level, or at the head of the buffer:
+/// x: ln(δ + luminance), y: pixels that are no numbers; sums or means.
+struct LuminanceSums {
+    TextureHandle texture{};
+    BufferHandle buffer{};  ///< instead of the texture
+    bool means = false;
+    BufferHandle histogram{};  ///< shared::k_luminance_bins counts; only where curves are estimated
+
+    [[nodiscard]] bool valid() const { return texture.valid() || buffer.valid(); }
+};
+
 /// What one frame's passes share. Lives until the graph has run, so callbacks may capture it by reference.
 /// The frame uniforms, instances, materials and lights are bound already (shared/bindings.h).
 ///
@@ -54,6 +65,7 @@ struct FrameResources {
     const DrawList& blended;  ///< blended: frame.blended, back to front
     DrawCounts& counts;       ///< each pass adds what it drew
     float exposure = 1.0f;    ///< pre-exposure factor, as in the frame uniforms
+    bool cut = false;         ///< FrameInput::cut, or there is no frame before
 
     std::span<const BoundedLight>
         bounded_lights{};  ///< those of the Frame's lights that can touch the picture
@@ -74,12 +86,20 @@ struct FrameResources {
     TextureHandle shadow_map{};     ///< sun, depth, 1 nearest to the sun
     gl::BufferRange sun_shadow{};   ///< shared::SunShadow of shadow_map
     TextureHandle shadow_result{};  ///< sun, GL_R8: 1 lit, 0 in shadow; invalid when shadows are off
-    TextureHandle scene_colour{};   ///< GL_RGBA16F, pre-exposed linear light
+    TextureHandle scene_colour{};   ///< of scene_colour_format(): pre-exposed linear light
+    LuminanceSums luminance{};      ///< of scene_colour; only where something asks for it
+    BufferHandle
+        adapted_exposure{};   ///< shared::AdaptedExposure, which scene_colour has not in it; as luminance
     TextureHandle display{};  ///< tone-mapped, sRGB-encoded GL_RGBA8, alpha: luma; input of anti-aliasing
     TextureHandle
         backbuffer{};  ///< what is shown: anti-aliasing (or tone mapping, without it) writes it, then the HUD
 
     [[nodiscard]] glm::uvec2 size_px() const { return frame.view.size_px; }
 };
+
+/// OpenGL's name for how scene colour is stored.
+[[nodiscard]] constexpr GLenum scene_colour_format(const ToneParameters& tone) {
+    return tone.format == SceneColourFormat::r11g11b10f ? GL_R11F_G11F_B10F : GL_RGBA16F;
+}
 
 }  // namespace rambla::render

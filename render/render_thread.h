@@ -33,6 +33,9 @@ struct FrameInput {
     bool reload_shaders = false;          ///< compile again what the shader source has changed
     PassTimers timers = PassTimers::off;  ///< of its passes, on the GPU
     bool draw_graph = false;              ///< asks for FrameOutput::graph_svg
+    /// Nothing is carried over from the frame before, as after a cut in a film: exposure is at once what the
+    /// picture calls for. The first frame of a scene is drawn like that in any case.
+    bool cut = false;
     /// For pictures that are kept: the render thread first waits for all texture levels that the frame needs
     /// and the budget allows, so that the picture depends on no disk's speed. Else no frame waits for any.
     bool complete_textures = false;

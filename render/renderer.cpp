@@ -9,6 +9,7 @@
 #include "assets/assert.h"
 #include "render/capture.h"
 #include "render/draw.h"
+#include "render/exposure_capture.h"
 #include "render/frame_uniforms.h"
 #include "render/gl/calls.h"
 #include "render/gl/context.h"
@@ -71,6 +72,7 @@ struct InFlight {
     Capture objects;
     Capture positions;
     Capture normals;
+    ExposureCapture exposure;
 
     void add_captures(RenderGraph& graph, const FrameResources& resources);
     void take_captures();
@@ -98,6 +100,7 @@ void InFlight::add_captures(RenderGraph& graph, const FrameResources& resources)
 
 void InFlight::take_captures() {
     if (display.pending()) output.display = display.take();
+    if (exposure.pending()) output.feedback.exposure = exposure.take();
     if (linear.pending()) output.linear = linear.take();
     if (objects.pending()) output.objects = objects.take_objects();
     if (positions.pending())
@@ -137,6 +140,7 @@ struct Renderer::State {
     DrawList opaque;
     DrawList blended;
     DrawCounts counts;
+    bool scene_is_new = true;           ///< no frame has shown it
     gl::CallCounts calls_before;        ///< at the end of the last frame
     gl::Texture backbuffer;             ///< where pixels are wanted back, or no window is
     gl::Framebuffer backbuffer_reader;  ///< to copy it to the window
@@ -163,6 +167,7 @@ Renderer::~Renderer() = default;
 void Renderer::upload(const assets::Scene& scene, const assets::ProcessedScene& processed,
                       std::shared_ptr<assets::LevelSource> source, std::span<const std::uint32_t> fading) {
     state_->scene.upload(processed, std::move(source));
+    state_->scene_is_new = true;
     if (!state_->compile_ahead) return;
     for (const FrameInput& input : warm_up_frames(scene, state_->compile_for, fading))
         state_->draw(input, true);
@@ -198,6 +203,7 @@ void Renderer::State::draw(const FrameInput& input, bool is_warm_up) {
     if (!is_warm_up) bring_textures(input);
     if (size.x > 0 && size.y > 0) {  // a minimised window has no pixels
         draw_passes(input, slot);
+        scene_is_new = scene_is_new && is_warm_up;
     } else {
         graph.execute();
     }
@@ -239,7 +245,7 @@ void Renderer::State::bring_textures(const FrameInput& input) {
 void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     const systems::Frame& frame = input.frame;
     const systems::CaptureRequest& wanted = frame.capture;
-    const float exposure = std::exp2(input.settings.tone.exposure_ev);
+    const float exposure = std::exp2(input.settings.exposure.ev);
     bind_frame(input, exposure);
     opaque.clear(DrawKind::shaded);
     opaque.add(scene, frame.opaque);
@@ -256,12 +262,14 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
                              .opaque = opaque,
                              .blended = blended,
                              .counts = counts,
-                             .exposure = exposure};
+                             .exposure = exposure,
+                             .cut = input.cut || scene_is_new};
     const bool as_texture = context.headless() || wanted.display;
     resources.backbuffer = import_backbuffer(frame.view.size_px, as_texture);
     scene_passes.add(graph, resources);
     slot.add_captures(graph, resources);
     display_passes.add(graph, resources);
+    slot.exposure.add(graph, resources.adapted_exposure);
     capture(slot.display, graph, "capture display", wanted.display ? resources.backbuffer : TextureHandle{},
             CapturedAs::bytes);
     graph.execute(input.timers);

@@ -5,6 +5,10 @@
 #include <string_view>
 
 #include "assets/parameter.h"
+#include "render/settings/anti_aliasing.h"
+#include "render/settings/bloom.h"
+#include "render/settings/exposure.h"
+#include "render/settings/tone.h"
 
 namespace rambla::render {
 
@@ -112,30 +116,6 @@ inline constexpr std::array k_brdf_parameters{
                                       "Lambert without highlights."),
 };
 
-enum class ToneCurve : std::uint8_t { reinhard, filmic, aces };
-
-struct ToneParameters {
-    ToneCurve curve = ToneCurve::aces;
-    float exposure_ev = 0.0f;
-};
-inline constexpr std::array<std::string_view, 3> k_tone_curves{"reinhard", "filmic", "aces"};
-inline constexpr std::array k_tone_parameters{
-    parameter<&ToneParameters::curve>("tonemap", k_tone_curves, "Curve from scene light to the display."),
-    parameter<&ToneParameters::exposure_ev>("exposure", "EV", -16, 16,
-                                            "Exposure; 0 shows white under the noon sun as white."),
-};
-
-enum class AntiAliasing : std::uint8_t { none, fxaa };
-
-struct AntiAliasingParameters {
-    AntiAliasing method = AntiAliasing::fxaa;
-};
-inline constexpr std::array<std::string_view, 2> k_anti_aliasing_methods{"none", "fxaa"};
-inline constexpr std::array k_anti_aliasing_parameters{
-    parameter<&AntiAliasingParameters::method>("aa", k_anti_aliasing_methods,
-                                               "How jagged edges are smoothed."),
-};
-
 enum class DebugView : std::uint8_t {
     off,
     albedo,
@@ -186,7 +166,9 @@ struct Settings {
     DetailParameters detail;
     BrdfParameters brdf;
     ShadowParameters shadows;
+    ExposureParameters exposure;
     ToneParameters tone;
+    BloomParameters bloom;
     AntiAliasingParameters anti_aliasing;
     TextureParameters textures;
     DebugParameters debug;

@@ -175,9 +175,6 @@ std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Setting
             input.frame.needs_emission = emissive;
             if (i >= 2) input.frame.lights.clear();
             input.settings = settings;
-            input.settings.tone.curve = static_cast<ToneCurve>(i % k_tone_curves.size());
-            input.settings.anti_aliasing.method =
-                static_cast<AntiAliasing>(i % k_anti_aliasing_methods.size());
             input.settings.shadows.method = i % 3 == 0 ? ShadowMethod::off : ShadowMethod::focused;
             input.settings.shadows.size_texels = 256;
             input.settings.shadows.taps = i == 1 ? ShadowTaps::four : ShadowTaps::sixteen;

@@ -28,6 +28,14 @@ struct TextureFeedback {
     std::uint32_t below_demand = 0;  ///< images that the picture shows less finely than it could
 };
 
+/// What automatic exposure has seen and done.
+struct ExposureFeedback {
+    bool known = false;              ///< the picture's luminance was looked at
+    double departure_ev = 0.0;       ///< from the exposure that the settings say
+    double average_luminance = 0.0;  ///< log-average of exposed light before that departure
+    std::uint32_t bad_pixels = 0;    ///< infinite or NaN before tone mapping
+};
+
 /// What the renderer tells a later frame: plain data, never read by the simulation.
 struct Feedback {
     std::uint64_t frame = 0;
@@ -45,6 +53,7 @@ struct Feedback {
     std::uint32_t gl_objects = 0;         ///< alive at the frame's end, but for textures being replaced
     std::uint64_t gpu_memory_bytes = 0;   ///< buffers and textures that the renderer holds
     TextureFeedback textures;
+    ExposureFeedback exposure;
 };
 
 }  // namespace rambla::systems

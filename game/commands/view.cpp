@@ -39,6 +39,7 @@ struct ViewCommand {
     fs::path out;
     std::uint64_t frames = 0;
     const CLI::Option* shadows = nullptr;
+    const CLI::Option* exposure = nullptr;
     const CLI::Option* size = nullptr;
 };
 
@@ -128,7 +129,9 @@ int run(ViewCommand& command) {
     command.wishes.origin = command.options.origin;
     command.wishes.settings = command.options.settings;
     command.wishes.own_shadows = command.shadows->count() > 0;
-    command.wishes.own_exposure = command.options.exposure_given->count() > 0;
+    // Who looks at a model wants to judge how light or dark it is, and to compare it with others on a sheet.
+    if (command.exposure->count() == 0) command.wishes.settings.exposure.mode = render::ExposureMode::fixed;
+    command.wishes.own_exposure = command.options.own_exposure;
     if (command.options.time_given->count() > 0) command.wishes.time = command.options.time;
     if (!windowed) command.out = picture_file(command);
     const std::unique_ptr<RunTrace> trace = begin_trace(command.options.trace);
@@ -192,6 +195,7 @@ Command add_view(CLI::App& program) {
     add_trace_option(*line, options);
     add_message_options(*line, options);
     command->shadows = line->get_option("--shadows");
+    command->exposure = line->get_option("--exposure");
     command->size = line->get_option("--size");
     return {line, [command] {
                 return run(*command);

@@ -10,6 +10,7 @@
 #include "game/progress.h"
 #include "game/scene_cache.h"
 #include "game/statistics.h"
+#include "game/study/grades.h"
 #include "game/study/in_turns.h"
 #include "game/study/picture_error.h"
 
@@ -63,7 +64,7 @@ Shown make_shown(StudyContext& context, Compression compression) {
 /// which is the first.
 void draw_all(StudyContext& context, std::vector<Shown>& all, glm::uvec2 size_px, std::uint32_t rounds,
               const std::string& scene) {
-    PictureGrade usual;
+    PictureGrade usual{.name = {}, .settings = plain_settings()};
     usual.settings.shadows.method =
         render::ShadowMethod::off;  // shadow maps sample no textures, and take time
     Progress progress{"compression: " + scene, rounds + 1, !context.options().quiet};

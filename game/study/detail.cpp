@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 7> k_grades{"flat",
 constexpr std::array<std::string_view, 1> k_passes{"gbuffer"};
 
 std::vector<PictureGrade> grades() {
-    render::Settings settings;
+    render::Settings settings = plain_settings();
     settings.shadows.method = render::ShadowMethod::off;  // which would hide some of it
     std::vector<PictureGrade> all;
     for (const std::string_view name : k_grades)

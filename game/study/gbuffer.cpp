@@ -35,7 +35,7 @@ std::vector<PictureGrade> grades(const render::Settings& settings) {
 std::vector<std::vector<Metric>> errors(StudyContext& context, Stage& stage,
                                         const assets::ProcessedScene& processed, const EyeOfRound& eye,
                                         std::uint32_t pictures) {
-    render::Settings flat;  // normal maps tilt what the triangles have
+    render::Settings flat = plain_settings();  // normal maps tilt what the triangles have
     flat.detail.grade = render::DetailGrade::flat;
     const std::vector<PictureGrade> all = grades(flat);
     std::vector<SurfaceErrors> found(all.size());
@@ -87,7 +87,7 @@ void run(StudyContext& context, StudyResult& result) {
     Stage stage = make_stage("street", context.options().seed, {}, {});
     const auto processed = show(context, stage);
     const std::uint32_t rounds = context.rounds(k_rounds);
-    const std::vector<PictureGrade> all = grades({});
+    const std::vector<PictureGrade> all = grades(plain_settings());
     // Fahlén 2005, figure 7.1: the pass grows with the number of pixels.
     Plot against_resolution{.title = "Time of the G-buffer pass and of all that reads it, by resolution",
                             .x_label = "megapixels",

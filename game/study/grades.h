@@ -9,6 +9,15 @@
 
 namespace rambla::game::study {
 
+/// Settings under which a pixel's colour depends on nothing but what it shows: for pictures that are compared
+/// with others, or with what was computed for each pixel alone.
+[[nodiscard]] inline render::Settings plain_settings() {
+    render::Settings settings;
+    settings.exposure.mode = render::ExposureMode::fixed;
+    settings.bloom.method = render::BloomMethod::off;
+    return settings;
+}
+
 /// The grade that one option of the command line makes: everything else stays as `settings` has it.
 /// @param name   of the grade, such as "tiled:prepass=1", which is also what the option is given
 /// @param table  of the option's struct, `part` that struct within the settings

@@ -28,8 +28,9 @@ render::FrameOutput draw(render::RenderThread& thread, Stage& stage, const Pictu
     if (grade.change) grade.change(input.frame);
     input.frame.capture = capture;
     input.settings = grade.settings;
-    input.settings.tone.exposure_ev = stage.exposure_ev;
+    input.settings.exposure.ev = stage.exposure_ev;
     input.timers = render::PassTimers::alone;
+    input.cut = !grade.follows;
     input.complete_textures = true;
     thread.submit();
     thread.finish();

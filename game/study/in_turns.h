@@ -18,6 +18,8 @@ struct PictureGrade {
     render::Settings settings;
     /// Takes something out of the Frame that the scene put there; may be empty.
     std::function<void(systems::Frame&)> change{};
+    bool follows =
+        false;  ///< the picture drawn before, as in a film; else pictures know nothing of each other
 };
 
 /// What a grade told of each round.

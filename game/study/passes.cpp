@@ -45,6 +45,8 @@ std::vector<PictureGrade> grades() {
     switched("detail", "flat", render::k_detail_parameters, &Settings::detail);
     switched("brdf", "blinn", render::k_brdf_parameters, &Settings::brdf);
     switched("brdf", "lambert", render::k_brdf_parameters, &Settings::brdf);
+    switched("exposure", "fixed", render::k_exposure_parameters, &Settings::exposure);
+    switched("exposure", "auto:luminance=compute", render::k_exposure_parameters, &Settings::exposure);
     switched("tonemap", "reinhard", render::k_tone_parameters, &Settings::tone);
     switched("aa", "none", render::k_anti_aliasing_parameters, &Settings::anti_aliasing);
     without("lamps", [](systems::Frame& frame) { frame.lights.clear(); });

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "assets/image.h"
+
 namespace rambla::game::study {
 
 /// A number that says how good a grade's result is.
@@ -50,6 +52,17 @@ struct Table {
     std::vector<std::vector<std::string>> rows;  ///< as long as the head; the first column names the row
 };
 
+struct LabelledPicture {
+    std::string label;    ///< such as the grade's name
+    assets::Image image;  ///< rgba8
+};
+
+/// Pictures of one size that are looked at side by side, such as before and after.
+struct PictureRow {
+    std::string title;
+    std::vector<LabelledPicture> pictures;
+};
+
 /// All that a study found.
 struct StudyResult {
     std::string name;       ///< as the command line takes it
@@ -61,6 +74,7 @@ struct StudyResult {
     std::string plotted_metric{};  ///< drawn against milliseconds, a plot for each scene; empty: none
     std::vector<Plot> plots{};     ///< further ones
     std::vector<Table> tables{};
+    std::vector<PictureRow> pictures{};
     std::string incomplete{};  ///< why something is missing; empty: nothing is
     double duration_s = 0.0;
 };

@@ -68,16 +68,17 @@ void count_calls() {
     take_all<CallKind::draw, &glBlitNamedFramebuffer, &glClearNamedBufferSubData, &glClearNamedFramebufferfv,
              &glClearNamedFramebufferuiv, &glDispatchCompute, &glDrawArrays, &glDrawArraysIndirect,
              &glDrawArraysInstanced, &glDrawArraysInstancedBaseInstance, &glDrawElementsBaseVertex,
-             &glDrawElementsInstancedBaseVertexBaseInstance, &glInvalidateNamedFramebufferData,
-             &glMultiDrawElementsIndirect>();
+             &glDrawElementsInstancedBaseVertexBaseInstance, &glGenerateTextureMipmap,
+             &glInvalidateNamedFramebufferData, &glMultiDrawElementsIndirect>();
     take_all<CallKind::bind, &glBindBuffer, &glBindBufferBase, &glBindBufferRange, &glBindBuffersBase,
              &glBindFramebuffer, &glBindSampler, &glBindSamplers, &glBindTextureUnit, &glBindTextures,
              &glBindVertexArray, &glUniform4f, &glUseProgram>();
     take_all<CallKind::state, &glBlendFunc, &glBlendFunci, &glClipControl, &glColorMask, &glCullFace,
              &glDepthFunc, &glDepthMask, &glDisable, &glEnable, &glFrontFace, &glPixelStorei, &glScissor,
              &glViewport>();
-    take_all<CallKind::transfer, &glCompressedTextureSubImage2D, &glCopyImageSubData, &glGetTextureImage,
-             &glMapNamedBufferRange, &glNamedBufferSubData, &glTextureSubImage2D, &glUnmapNamedBuffer>();
+    take_all<CallKind::transfer, &glCompressedTextureSubImage2D, &glCopyImageSubData,
+             &glCopyNamedBufferSubData, &glGetTextureImage, &glMapNamedBufferRange, &glNamedBufferSubData,
+             &glTextureSubImage2D, &glUnmapNamedBuffer>();
     take_all<CallKind::object, &glAttachShader, &glCheckNamedFramebufferStatus, &glCompileShader,
              &glCreateBuffers, &glCreateFramebuffers, &glCreateProgram, &glCreateQueries, &glCreateSamplers,
              &glCreateShader, &glCreateTextures, &glCreateVertexArrays, &glDeleteBuffers,

@@ -14,8 +14,10 @@
 #include "render/passes/solid_light_volumes.h"
 #include "render/passes/surface_capture.h"
 #include "render/post/debug_view.h"
+#include "render/post/exposure.h"
 #include "render/post/fxaa.h"
 #include "render/post/hud.h"
+#include "render/post/luminance.h"
 #include "render/post/tonemap.h"
 #include "render/shadow/focused.h"
 #include "render/shadow/result.h"
@@ -60,7 +62,9 @@ using ScenePasses = PassList<DepthPrePass,           //
                              BlendPass>;
 
 /// From scene colour to what is shown.
-using DisplayPasses = PassList<TonemapPass,    //
+using DisplayPasses = PassList<LuminancePass,  //
+                               ExposurePass,   //
+                               TonemapPass,    //
                                FxaaPass,       //
                                DebugViewPass,  //
                                HudPass>;

@@ -14,8 +14,9 @@ void ForwardPass::add(RenderGraph& graph, FrameResources& resources) {
         "forward",
         [&](PassBuilder& pass) {
             if (shadowed) pass.read(resources.shadow_map);
-            const TextureHandle colour =
-                pass.create_texture("scene colour", {.format = GL_RGBA16F, .size = resources.size_px()});
+            const TextureHandle colour = pass.create_texture(
+                "scene colour",
+                {.format = scene_colour_format(resources.settings.tone), .size = resources.size_px()});
             resources.scene_colour = pass.write_colour(0, colour, LoadOp::discard);
             write_or_test_depth(pass, resources);
         },

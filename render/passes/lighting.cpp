@@ -64,8 +64,9 @@ void LightingPass::add(RenderGraph& graph, FrameResources& resources) {
             if (variant.shadowed) pass.read(resources.shadow_result);
             if (variant.emissive) pass.read(resources.emission);
             if (variant.tiles) read_tiles(pass, resources.tiles);
-            const TextureHandle colour =
-                pass.create_texture("scene colour", {.format = GL_RGBA16F, .size = resources.size_px()});
+            const TextureHandle colour = pass.create_texture(
+                "scene colour",
+                {.format = scene_colour_format(resources.settings.tone), .size = resources.size_px()});
             resources.scene_colour = pass.write_colour(0, colour, LoadOp::discard);
         },
         [this, &resources, variant](PassContext& context) {

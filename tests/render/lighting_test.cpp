@@ -62,7 +62,7 @@ TEST(SunLight, ExposureScalesThePictureButNotTheCapture) {
                 glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
     stage.frame.environment = only_sun({0, 0, 1});
     const Picture plain = stage.draw();
-    stage.settings.tone.exposure_ev = 1.0f;
+    stage.settings.exposure.ev = 1.0f;
     const Picture exposed = stage.draw();
     EXPECT_NEAR(exposed.radiance(64, 64).x, plain.radiance(64, 64).x,
                 1e-6f);  // a power of two is exact in half floats

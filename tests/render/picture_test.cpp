@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/post/hud.h"
+#include "render/post/picture_reference.h"
 #include "render/support.h"
 
 namespace {
@@ -14,11 +15,6 @@ using tests::matte;
 using tests::only_sun;
 using tests::Picture;
 using tests::Stage;
-
-double srgb_byte(double linear) {
-    const double x = std::clamp(linear, 0.0, 1.0);
-    return 255.0 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055);
-}
 
 /// An unlit square that fills the picture with one linear value, at an exposure.
 struct Card {
@@ -87,32 +83,55 @@ TEST(Sky, ShowsTheSunWhereItIs) {
 }
 
 TEST(Tonemap, ShowsWhatTheCurvesSay) {
-    const auto filmic = [](double x) {
-        const auto f = [](double v) {
-            return (v * (0.15 * v + 0.05) + 0.004) / (v * (0.15 * v + 0.5) + 0.06) - 0.02 / 0.30;
-        };
-        return f(4.0 * std::min(x, 3.0)) / f(12.0);
-    };
-    const auto reinhard = [](double x) {
-        return std::min(x, 3.0) * (1.0 + std::min(x, 3.0) / 9.0) / (1.0 + std::min(x, 3.0));
-    };
-    const auto aces = [](double x) {
-        return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
-    };
     Card card;
     for (const float ev : {-4.0f, -1.0f, 0.0f, 2.0f}) {
-        card.stage.settings.tone.exposure_ev = ev;
-        const double value = std::exp2(ev);
-        const double expected[] = {reinhard(value), filmic(value), aces(value)};
-        for (std::size_t curve = 0; curve < 3; ++curve) {
+        card.stage.settings.exposure.ev = ev;
+        for (std::size_t curve = 0; curve < render::k_tone_curves.size(); ++curve) {
             card.stage.settings.tone.curve = static_cast<render::ToneCurve>(curve);
             const Picture picture = card.stage.draw();
             double mean = 0.0;
             for (std::uint32_t i = 0; i < 32 * 32; ++i)
                 mean += picture.display(i % 32, i / 32).x / 1024.0;
+            const double expected =
+                render::tone_mapped(glm::dvec3{std::exp2(ev)}, card.stage.settings.tone.curve,
+                                    render::ToneOn::channels, 3.0)
+                    .x;
             // Dither keeps the mean over 1024 pixels within 0.1 of a step; the encoding's own error is 0.012.
-            EXPECT_NEAR(mean, srgb_byte(expected[curve]), 0.15)
+            EXPECT_NEAR(mean, 255.0 * render::srgb_encoded(expected), 0.15)
                 << render::k_tone_curves[curve] << " at " << ev << " EV";
+        }
+    }
+}
+
+TEST(Tonemap, ShowsTheSameOfSceneColourInFewerBits) {
+    Stage stage;
+    assets::Material glass = matte({0.2f, 0.3f, 0.3f});
+    glass.alpha_mode = assets::AlphaMode::blend;
+    glass.base_colour.w = 0.4f;
+    const std::uint32_t square = stage.square();
+    stage.place(square, stage.material(matte({0.5f, 0.3f, 0.2f})),
+                glm::scale(glm::mat4{1.0f}, glm::vec3{3.0f}));
+    stage.place(square, stage.material(glass), glm::translate(glm::mat4{1.0f}, {0.7f, 0.0f, 1.0f}));
+    stage.frame.environment = assets::noon();
+    stage.frame.lights = {
+        {.position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 4.0f, .intensity = {1, 2, 3}}};
+    stage.settings.tone.dither = false;
+    for (const auto path :
+         {render::LightingPath::tiled, render::LightingPath::volumes, render::LightingPath::forward}) {
+        stage.settings.lighting.path = path;
+        stage.settings.tone.format = render::SceneColourFormat::rgba16f;
+        const Picture halves = stage.draw();
+        stage.settings.tone.format = render::SceneColourFormat::r11g11b10f;
+        const Picture packed = stage.draw();
+        EXPECT_NE(packed.linear, halves.linear);
+        for (std::uint32_t y = 0; y < 128; y += 3) {
+            for (std::uint32_t x = 0; x < 128; x += 3) {
+                const glm::vec3 expected = halves.radiance(x, y), found = packed.radiance(x, y);
+                // Six bits of red and green, five of blue; sun, lamp, sky and glass each round once, cut off.
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(found[c], expected[c], 4.0f / (c == 2 ? 32.0f : 64.0f) * expected[c])
+                        << x << " " << y;
+            }
         }
     }
 }
@@ -135,7 +154,7 @@ TEST(Tonemap, SurvivesOverflow) {
     stage.frame.environment = only_sun({0, 0, 1}, glm::vec3{1e9f});
     stage.frame.lights.assign(
         3, {.position_m = glm::vec3{0, 0, 1} - stage.eye, .radius_m = 10.0f, .intensity = glm::vec3{1e9f}});
-    stage.settings.tone.exposure_ev = 16.0f;
+    stage.settings.exposure.ev = 16.0f;
     const Picture picture = stage.draw();
     EXPECT_EQ(picture.display(64, 64), glm::ivec3{255});
 }

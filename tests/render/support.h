@@ -43,6 +43,9 @@ class Stage {
 public:
     Stage() {
         frame.view.size_px = {128, 128};
+        // A pixel's light shall depend on nothing but what it shows.
+        settings.exposure.mode = render::ExposureMode::fixed;
+        settings.bloom.method = render::BloomMethod::off;
         look({0, 0, 5}, {0, 0, 0});
     }
 

@@ -84,6 +84,19 @@ TEST(UnusedEffects, LeaveTheFrameAsItWasToTheCallAndTheByte) {
     changes_and_comes_back(
         "no anti-aliasing", [&] { settings.anti_aliasing.method = render::AntiAliasing::none; },
         [&] { settings.anti_aliasing.method = render::AntiAliasing::fxaa; });
+    for (const auto method : {render::LuminanceMethod::chain, render::LuminanceMethod::compute,
+                              render::LuminanceMethod::mips, render::LuminanceMethod::mips16}) {
+        changes_and_comes_back(
+            render::k_luminance_methods[static_cast<std::size_t>(method)].data(),
+            [&] {
+                settings.exposure.mode = render::ExposureMode::automatic;
+                settings.exposure.luminance = method;
+            },
+            [&] { settings.exposure.mode = render::ExposureMode::fixed; });
+    }
+    changes_and_comes_back(
+        "estimated curve", [&] { settings.tone = {.curve = render::ToneCurve::extended, .estimate = true}; },
+        [&] { settings.tone = {}; });
     changes_and_comes_back(
         "overdraw", [&] { settings.debug.view = render::DebugView::overdraw; },
         [&] { settings.debug.view = render::DebugView::off; });
@@ -103,6 +116,25 @@ TEST(UnusedEffects, SolidVolumesAreMadeWhenTheyAreChosen) {
     const std::uint32_t quads = objects();
     stage.settings.lighting.volume = render::LightVolume::solid;
     EXPECT_EQ(objects(), quads + 4) << "vertices, indices, their array, a program";
+}
+
+TEST(UnusedEffects, AutomaticExposureKeepsOneBufferAndWhatReadsItBack) {
+    Stage stage;
+    stage.place(stage.square(), stage.material(matte()), glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+    stage.frame.environment = tests::only_sun({0, 0, 1});
+    static_cast<void>(stage.draw());
+    const auto objects = [&] {
+        static_cast<void>(settled(stage));
+        return stage.redraw().gl_objects;
+    };
+    const std::uint32_t fixed = objects();
+    stage.settings.exposure.mode = render::ExposureMode::automatic;
+    // Programs: two of the chain, exposure, tone mapping. Steps of the chain from 128 pixels: four textures,
+    // with a framebuffer each, of which the pool lends no other pass one. Buffers: the state, and a copy for
+    // each of two frames in flight, of which these that are waited for use one.
+    EXPECT_EQ(objects(), fixed + 4 + 8 + 2);
+    stage.settings.exposure.mode = render::ExposureMode::fixed;
+    EXPECT_EQ(objects(), fixed + 4) << "programs stay";
 }
 
 TEST(UnusedEffects, ALampOutOfViewCostsNoCall) {

@@ -33,7 +33,7 @@ struct Harness : testing::Test {
     std::shared_ptr<const assets::ProcessedScene> processed = show(context, stage);
 
     static std::vector<PictureGrade> two_grades() {
-        return {{.name = "a", .settings = {}}, {.name = "b", .settings = {}}};
+        return {{.name = "a", .settings = plain_settings()}, {.name = "b", .settings = plain_settings()}};
     }
     systems::Eye eye(double share) const { return eye_of(stage, View::above, share, k_size_px); }
 };
@@ -138,7 +138,7 @@ struct Surfaces : Harness {
 
     void draw_in(const char* layout) {
         const PictureGrade grade =
-            grade_of(layout, render::k_gbuffer_parameters, &render::Settings::gbuffer, {});
+            grade_of(layout, render::k_gbuffer_parameters, &render::Settings::gbuffer, plain_settings());
         drawn = draw(context.thread(), stage, grade, eye(0.3), {.objects = true, .surfaces = true});
         systems::Frame frame;
         systems::build_frame(*stage.world, eye(0.3), 1.0f, frame);

@@ -5,6 +5,7 @@
 // Uniform blocks.
 #define BINDING_FRAME_UNIFORMS 0  // shared/frame_uniforms.h, bound for the whole frame
 #define BINDING_PASS_UNIFORMS 1   // each pass's own block
+#define BINDING_EXPOSURE 2        // shared/adapted_exposure.h, where a pass wants what exposure adapted to
 
 // Shader storage blocks.
 #define BINDING_INSTANCES 0      // shared/instance.h, bound for the whole frame

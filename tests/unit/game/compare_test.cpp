@@ -18,6 +18,8 @@ TEST(Compare, ForcesItsEffectsOnAndLeavesTheRest) {
     EXPECT_EQ(blocks.shadows.method, render::ShadowMethod::focused);
     EXPECT_EQ(blocks.shadows.size_texels, 2048);
     EXPECT_EQ(blocks.tone.curve, render::ToneCurve::filmic);
+    EXPECT_EQ(blocks.exposure.mode, render::ExposureMode::fixed);
+    EXPECT_EQ(blocks.bloom.method, render::BloomMethod::off);
     const render::Settings agents = compare_settings({}, "agents");
     EXPECT_EQ(agents.anti_aliasing.method, render::AntiAliasing::none);
     EXPECT_EQ(agents.shadows.size_texels, 2048);

@@ -49,7 +49,7 @@ TEST_F(CommandLine, SetsWhatItNames) {
     EXPECT_EQ(options.settings.shadows.size_texels, 1024);
     EXPECT_EQ(options.settings.shadows.taps, render::ShadowTaps::four);
     EXPECT_EQ(options.settings.tone.curve, render::ToneCurve::aces);
-    EXPECT_EQ(options.settings.tone.exposure_ev, -1.5f);
+    EXPECT_EQ(options.settings.exposure.ev, -1.5f);
     EXPECT_EQ(options.settings.anti_aliasing.method, render::AntiAliasing::none);
     EXPECT_EQ(options.threads, 2);
     EXPECT_EQ(options.json, "-");
@@ -98,7 +98,7 @@ TEST_F(CommandLine, TapsAreFourOrSixteen) {
 
 TEST_F(CommandLine, ExposureHasOneSwitch) {
     EXPECT_THAT(complaint("--tonemap aces:exposure=2"), testing::HasSubstr("'exposure'"));
-    EXPECT_EQ(options.settings.tone.exposure_ev, 0.0f);
+    EXPECT_EQ(options.settings.exposure.ev, 0.0f);
 }
 
 TEST_F(CommandLine, HelpExplainsEveryField) {

@@ -38,10 +38,10 @@ TEST(SettingsAt, TakeTheLightsExposureUnlessTheUserHasSaidAnother) {
     Options options;
     add_picture_options(line, options);
     line.parse("--tonemap filmic");
-    EXPECT_EQ(options.settings_at(2.5f).tone.exposure_ev, 2.5f);
+    EXPECT_EQ(options.settings_at(2.5f).exposure.ev, 2.5f);
     EXPECT_EQ(options.settings_at(2.5f).tone.curve, render::ToneCurve::filmic);
     line.parse("--exposure 0");
-    EXPECT_EQ(options.settings_at(2.5f).tone.exposure_ev, 0.0f);
+    EXPECT_EQ(options.settings_at(2.5f).exposure.ev, 0.0f);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST(RenderThread, ReturnsCapturesOfTheFramesThatAskedForThem) {
     for (std::uint64_t i = 0; i < 3; ++i) {
         FrameInput& input = thread.begin();
         fill(input, i, {5, 3});  // rows of no round size
-        input.settings.tone.exposure_ev = 2.0f;
+        input.settings.exposure.ev = 2.0f;
         input.frame.capture = {.display = i == 1, .linear = i == 1};
         thread.submit();
     }
@@ -114,7 +114,7 @@ TEST(RenderThread, TakesExposureOutOfLinearCaptures) {
     for (const float exposure : {0.0f, 3.0f}) {
         FrameInput& input = thread.begin();
         fill(input, 0);
-        input.settings.tone.exposure_ev = exposure;
+        input.settings.exposure.ev = exposure;
         input.frame.capture.linear = true;
         thread.submit();
     }

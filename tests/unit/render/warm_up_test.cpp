@@ -181,17 +181,11 @@ TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
     for (const bool emissive : {false, true}) {
         for (const auto method : {ShadowMethod::off, ShadowMethod::focused}) {
             for (const auto taps : {ShadowTaps::four, ShadowTaps::sixteen}) {
-                for (std::size_t tone = 0; tone < k_tone_curves.size(); ++tone) {
-                    for (std::size_t smoothing = 0; smoothing < k_anti_aliasing_methods.size(); ++smoothing) {
-                        input.frame.needs_emission = emissive;
-                        input.settings.shadows = {.method = method, .size_texels = 256, .taps = taps};
-                        input.settings.tone.curve = static_cast<ToneCurve>(tone);
-                        input.settings.anti_aliasing.method = static_cast<AntiAliasing>(smoothing);
-                        for (const bool lit : {false, true}) {
-                            input.frame.lights = lit ? lamps : std::vector<systems::FrameLight>{};
-                            renderer.draw(input);
-                        }
-                    }
+                input.frame.needs_emission = emissive;
+                input.settings.shadows = {.method = method, .size_texels = 256, .taps = taps};
+                for (const bool lit : {false, true}) {
+                    input.frame.lights = lit ? lamps : std::vector<systems::FrameLight>{};
+                    renderer.draw(input);
                 }
             }
         }
@@ -199,7 +193,7 @@ TEST(WarmUp, LeavesNoProgramToBeCompiledLater) {
     EXPECT_EQ(*texts, compiled) << "some choice of settings compiles a program in the middle of a walk";
     std::vector<FrameOutput> outputs;
     renderer.take_finished(outputs, true);
-    EXPECT_EQ(outputs.size(), 96u) << "frames of the warm-up are nobody's";
+    EXPECT_EQ(outputs.size(), 16u) << "frames of the warm-up are nobody's";
 }
 
 }  // namespace

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "assets/parameter.h"
+
+namespace rambla::render {
+
+enum class AntiAliasing : std::uint8_t { none, sobel, edges, fxaa, morphological, taa, ssaa };
+
+/// What the Sobel operator looks for edges in.
+enum class SobelOf : std::uint8_t { colour, depth };
+
+enum class AntiAliasingQuality : std::uint8_t { low, medium, high };
+
+struct AntiAliasingParameters {
+    AntiAliasing method = AntiAliasing::fxaa;
+    SobelOf sobel_of = SobelOf::colour;
+    AntiAliasingQuality quality = AntiAliasingQuality::medium;
+    bool everywhere = false;
+    int samples = 4;
+    float history = 0.9f;
+    bool clamp = true;
+};
+inline constexpr std::array<std::string_view, 7> k_anti_aliasing_methods{
+    "none", "sobel", "edges", "fxaa", "morphological", "taa", "ssaa"};
+inline constexpr std::array<std::string_view, 2> k_sobel_of{"colour", "depth"};
+inline constexpr std::array<std::string_view, 3> k_anti_aliasing_qualities{"low", "medium", "high"};
+inline constexpr std::array k_anti_aliasing_parameters{
+    parameter<&AntiAliasingParameters::method>("aa", k_anti_aliasing_methods,
+                                               "How jagged edges are smoothed."),
+    parameter<&AntiAliasingParameters::sobel_of>("of", k_sobel_of, "sobel: what edges are looked for in."),
+    parameter<&AntiAliasingParameters::quality>("quality", k_anti_aliasing_qualities,
+                                                "fxaa and morphological: how faint edges may be, and how far "
+                                                "their ends are looked for."),
+    parameter<&AntiAliasingParameters::everywhere>("everywhere", "", 0, 1,
+                                                   "Works on all pixels instead of where edges are; the "
+                                                   "picture is the same."),
+    parameter<&AntiAliasingParameters::samples>("samples", "", 2, 8,
+                                                "ssaa: pixels drawn for one shown, across and down."),
+    parameter<&AntiAliasingParameters::history>("history", "", 0, 0.98,
+                                                "taa: share of earlier pictures in a pixel that stays."),
+    parameter<&AntiAliasingParameters::clamp>(
+        "clamp", "", 0, 1, "taa: earlier colours are kept within those around a pixel now."),
+};
+
+}  // namespace rambla::render

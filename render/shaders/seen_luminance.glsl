@@ -1,0 +1,25 @@
+// What a pixel adds to the average luminance of a picture.
+#include "colour.glsl"
+
+/// The largest half float: brighter light is not stored.
+const float k_largest_half = 65504.0;
+/// Exponent bits of a float, all of which are set in what is infinite or NaN.
+const uint k_exponent = 0x7f800000u;
+
+/// False where a channel is infinite or NaN. Asked of the bits: a compiler may turn !(x <= y) into x > y, which NaN
+/// makes another question.
+bool is_number(vec3 radiance) {
+    return all(notEqual(floatBitsToUint(radiance) & k_exponent, uvec3(k_exponent)));
+}
+
+/// Rec. 709 luminance, in [0, k_largest_half]; 0 for what is no number, or below zero.
+float seen_luminance(vec3 radiance) {
+    float y = luminance(radiance);
+    return is_number(radiance) && y > 0.0 ? min(y, k_largest_half) : 0.0;
+}
+
+/// Sum of the logarithms of four values in [1e-6, 65505]: of their product, which no float is too small or too
+/// large for, since logarithms are dear.
+float sum_of_logs(vec4 values) {
+    return log(values.x * values.y * values.z * values.w);
+}
