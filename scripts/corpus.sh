@@ -13,7 +13,7 @@ show_corpus() {
     export RAMBLA_CACHE_DIR="$root/build/test/cache"
     rm -rf "$out"
     mkdir -p "$out"
-    ctest --test-dir "$root/build/test" --output-on-failure --no-tests=error -R 'GltfCorpus' >&2
+    ctest --test-dir "$root/build/test" --output-on-failure --no-tests=error -R '^assets\.GltfCorpus' >&2
     cd "$corpus"
     local files clips
     mapfile -d '' files < <(find . -type f \( -name '*.gltf' -o -name '*.glb' \) -printf '%P\0' | LC_ALL=C sort -z)

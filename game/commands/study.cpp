@@ -87,8 +87,10 @@ bool tell_reversals(const study::StudyRun& before, const std::vector<StudyResult
                     std::string& text) {
     std::size_t compared = 0;
     std::size_t reversed = 0;
+    bool enough_rounds = study::has_enough_rounds(before.result);
     for (const StudyResult& result : results) {
         if (result.name != before.result.name) continue;
+        enough_rounds = enough_rounds && study::has_enough_rounds(result);
         compared += study::compared_pairs(before.result, result);
         for (const study::Reversal& reversal : study::same_order(before.result, result)) {
             text += fmt::format("CHANGED PLACES  {}\n", study::to_text(reversal));
@@ -98,6 +100,11 @@ bool tell_reversals(const study::StudyRun& before, const std::vector<StudyResult
     text += fmt::format(
         "{}: {} pairs of grades differ by more than their spreads in both runs, {} changed places\n",
         before.result.name, compared, reversed);
+    if (compared == 0) {
+        text += fmt::format("NOTHING COMPARED  {}\n",
+                            enough_rounds ? "no two grades differ by more than their spreads in both runs"
+                                          : "one of the runs has fewer than three rounds");
+    }
     return compared > 0 && reversed == 0;
 }
 
@@ -202,7 +209,8 @@ Command add_study(CLI::App& program) {
                    "Small and few pictures, for tests: everything runs, and the numbers mean little");
     line->add_option("--against", command->against,
                      "NAME.json of an earlier run: ends with 1 if grades have changed places in cost by more "
-                     "than their spreads")
+                     "than their spreads, or if there are none to compare: none differ by that much in both "
+                     "runs, or one has fewer than three rounds")
         ->type_name("FILE.json");
     line->add_option("--threads", command->options.threads,
                      "Threads that process and trace (default: all cores)")

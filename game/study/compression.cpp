@@ -171,9 +171,10 @@ void measure_encoding(StudyContext& context, StudyResult& result) {
     const std::uint32_t rounds = context.rounds(k_encoding_rounds);
     const std::string scene = fmt::format("making {} textures of the street", jobs);
     std::vector<GradeResult> grades;
-    for (const std::string_view compression : assets::k_compressions)
-        grades.push_back({.scene = scene, .grade = fmt::format("compression={}", compression)});
-    Progress progress{"compression: " + scene, rounds * 3, !context.options().quiet};
+    for (std::size_t i = 0; i < assets::k_compressions.size(); ++i)
+        grades.push_back({.scene = scene, .grade = grade_name(static_cast<Compression>(i))});
+    const auto steps = static_cast<std::uint32_t>(rounds * grades.size());
+    Progress progress{"compression: " + scene, steps, !context.options().quiet};
     for (std::uint32_t round = 0; round < rounds; ++round) {
         std::vector<Made> made;
         for (std::size_t grade = 0; grade < grades.size() && !context.stopped(); ++grade) {
@@ -195,9 +196,8 @@ void run(StudyContext& context, StudyResult& result) {
     result.title = "Texture compression";
     result.question =
         "What do block-compressed textures (BC1, BC3, BC4 and BC5 by what a texture holds) cost to sample "
-        "and "
-        "to make, what memory do they save, and what do they lose? Milliseconds are those of the G-buffer "
-        "pass, which samples them.";
+        "and to make, what memory do they save, and what do they lose? Milliseconds are those of the "
+        "G-buffer pass, which samples them.";
     result.reference =
         "The same pictures with textures as they are. texel_rms compares texels with what was compressed, in "
         "the picture's own encoding with white as 1.";

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "game/study/study.h"
 
 namespace rambla::game::study {
@@ -8,8 +10,13 @@ constexpr glm::uvec2 k_quick_size_px{160, 90};
 
 }  // namespace
 
+StudyContext::StudyContext(const StudyOptions& options, std::function<bool()> stopped)
+    : options_{options}, stopped_{std::move(stopped)} {}
+
 StudyContext::StudyContext(const StudyOptions& options, const std::atomic<bool>& stop)
-    : options_{options}, stop_{stop} {}
+    : StudyContext{options, [&stop] {
+                       return stop.load();
+                   }} {}
 
 render::RenderThread& StudyContext::thread() {
     if (!thread_) {

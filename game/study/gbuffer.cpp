@@ -75,14 +75,14 @@ void run(StudyContext& context, StudyResult& result) {
     result.title = "G-buffer";
     result.question =
         "What does the compact G-buffer (12 bytes a pixel, or 16 with emission, and positions from depth) "
-        "gain "
-        "over the wide one of half floats (36 or 40 bytes), and what does it lose? Milliseconds are those of "
-        "writing and reading it: G-buffer, shadow look-up and lighting. Bytes are those that the pass "
-        "writes.";
+        "gain over the wide one of half floats (36 or 40 bytes), and what does it lose? Milliseconds are "
+        "those of writing and reading it: G-buffer, shadow look-up and lighting. Bytes are those that the "
+        "pass writes.";
     result.reference =
         "Places and normals in double precision where a ray through each pixel's middle meets the triangles "
         "of the same frame, without normal maps. Pixels at the rim of an object or at a step in depth "
-        "are left out: there, ray and rasteriser may rightly meet two surfaces.";
+        "are left out: there, ray and rasteriser may rightly meet two surfaces. So are those that "
+        "other_surface_pct and broken_pct count, which show another surface or none that is finite.";
     result.plotted_metric = "position_p99_mm";
     Stage stage = make_stage("street", context.options().seed, {}, {});
     const auto processed = show(context, stage);

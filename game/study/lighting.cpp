@@ -281,8 +281,7 @@ void run(StudyContext& context, StudyResult& result) {
         "Sun and lamps without shadows, computed on the CPU in double precision at the places that a ray "
         "through each pixel's middle hits, with every light at every pixel. What errors there are come from "
         "what the G-buffer and half floats drop: all paths show the same. Pixels on silhouettes and of the "
-        "sky "
-        "do not count.";
+        "sky do not count.";
     result.plotted_metric = "flip_mean";
     std::vector<Measured> all;
     for (const Case& what : cases(context)) {

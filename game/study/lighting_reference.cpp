@@ -77,11 +77,12 @@ Picture exposed(const Picture& picture, const std::vector<std::size_t>& texels, 
     return row;
 }
 
+/// @param texels  one at least
 double mean_of(const std::vector<float>& map, const std::vector<std::size_t>& texels) {
     double sum = 0.0;
     for (const std::size_t texel : texels)
         sum += static_cast<double>(map[texel]);
-    return texels.empty() ? 0.0 : sum / static_cast<double>(texels.size());
+    return sum / static_cast<double>(texels.size());
 }
 
 constexpr double k_hundredth_of_white = 0.01;
@@ -114,26 +115,32 @@ std::vector<Metric> LightingReference::error_of(StudyContext& context, Stage& st
     plain.change = take_sky_light_out;
     const render::FrameOutput drawn =
         draw(context.thread(), stage, plain, eye_, {.linear = true, .objects = true});
-    Picture found = to_picture(drawn.linear.value());
-    Picture expected = picture_;
+    return lighting_errors(picture_, objects_, to_picture(drawn.linear.value()), drawn.objects->ids,
+                           stage.exposure_ev);
+}
+
+std::vector<Metric> lighting_errors(const Picture& expected, std::span<const std::uint32_t> expected_objects,
+                                    Picture found, std::span<const std::uint32_t> found_objects,
+                                    float exposure_ev) {
     std::vector<double> errors;
     std::vector<std::size_t> compared;
-    for (std::size_t i = 0; i < objects_.size(); ++i) {
-        if (objects_[i] == assets::k_none || drawn.objects->ids[i] != objects_[i]) {
-            found.texels[i] = expected.texels[i] = glm::vec3{0.0f};
+    for (std::size_t i = 0; i < expected_objects.size(); ++i) {
+        if (expected_objects[i] == assets::k_none || found_objects[i] != expected_objects[i]) {
+            // No difference, and still the reference's light: HDR-FLIP's exposures come from its median.
+            found.texels[i] = expected.texels[i];
             continue;
         }
         const double away = largest_channel_difference(found.texels[i], expected.texels[i]);
         errors.push_back(away / (luminance(glm::dvec3{expected.texels[i]}) + k_hundredth_of_white));
         compared.push_back(i);
     }
-    return {
-        {"flip_mean", mean_of(hdr_flip(expected, found).map, compared), ""},
-        {"psnr_db",
-         psnr_db(exposed(expected, compared, stage.exposure_ev), exposed(found, compared, stage.exposure_ev)),
-         "dB"},
-        {"error_p99_linear", percentile(errors, 0.99), ""},
-        {"compared_pct", percent(errors.size(), objects_.size()), "%"}};
+    const Metric share{"compared_pct", percent(compared.size(), expected_objects.size()), "%"};
+    if (compared.empty()) return {share};  // the rest would be that of equal pictures
+    return {{"flip_mean", mean_of(hdr_flip(expected, found).map, compared), ""},
+            {"psnr_db",
+             psnr_db(exposed(expected, compared, exposure_ev), exposed(found, compared, exposure_ev)), "dB"},
+            {"error_p99_linear", percentile(errors, 0.99), ""},
+            share};
 }
 
 }  // namespace rambla::game::study

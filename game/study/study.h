@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <span>
@@ -25,7 +26,9 @@ struct StudyOptions {
 /// What a study runs with.
 class StudyContext {
 public:
-    /// @param stop  set from outside when the user wants no more; must outlive this
+    /// @param stopped  whether the user wants no more; once true, always. Called on the thread that asks.
+    StudyContext(const StudyOptions& options, std::function<bool()> stopped);
+    /// @param stop  set from outside; must outlive this
     StudyContext(const StudyOptions& options, const std::atomic<bool>& stop);
 
     [[nodiscard]] const StudyOptions& options() const { return options_; }
@@ -33,7 +36,7 @@ public:
     [[nodiscard]] render::RenderThread& thread();
 
     /// A study that hears of this returns with what it has; its caller marks the result.
-    [[nodiscard]] bool stopped() const { return stop_; }
+    [[nodiscard]] bool stopped() const { return stopped_(); }
 
     /// @param full  rounds of a run that is neither quick nor told otherwise
     [[nodiscard]] std::uint32_t rounds(std::uint32_t full) const;
@@ -42,7 +45,7 @@ public:
 
 private:
     StudyOptions options_;
-    const std::atomic<bool>& stop_;
+    std::function<bool()> stopped_;
     std::unique_ptr<render::RenderThread> thread_;
 };
 

@@ -67,17 +67,20 @@ void SurfaceErrors::add(const assets::HitPicture& seen, const render::ObjectImag
 }
 
 std::vector<Metric> SurfaceErrors::metrics() const {
+    const std::vector<Metric> counts{{"other_surface_pct", percent(other_surfaces_, pixels_), "%"},
+                                     {"broken_pct", percent(broken_, pixels_), "%"},
+                                     {"compared_pct", percent(position_mm_.size(), pixels_), "%"}};
+    if (position_mm_.empty()) return counts;  // percentiles of nothing would be those of a perfect layout
     const Angles angles = angles_between(normals_, normals_found_);
-    return {{"position_p50_mm", median(position_mm_), "mm"},
-            {"position_p99_mm", percentile(position_mm_, 0.99), "mm"},
-            {"position_max_mm", percentile(position_mm_, 1.0), "mm"},
-            {"position_p99_ppm", percentile(position_ppm_, 0.99), "ppm"},
-            {"angle_p50_deg", angles.p50_deg, "deg"},
-            {"angle_p99_deg", angles.p99_deg, "deg"},
-            {"angle_max_deg", angles.max_deg, "deg"},
-            {"other_surface_pct", percent(other_surfaces_, pixels_), "%"},
-            {"broken_pct", percent(broken_, pixels_), "%"},
-            {"compared_pct", percent(position_mm_.size(), pixels_), "%"}};
+    std::vector<Metric> metrics{{"position_p50_mm", median(position_mm_), "mm"},
+                                {"position_p99_mm", percentile(position_mm_, 0.99), "mm"},
+                                {"position_max_mm", percentile(position_mm_, 1.0), "mm"},
+                                {"position_p99_ppm", percentile(position_ppm_, 0.99), "ppm"},
+                                {"angle_p50_deg", angles.p50_deg, "deg"},
+                                {"angle_p99_deg", angles.p99_deg, "deg"},
+                                {"angle_max_deg", angles.max_deg, "deg"}};
+    metrics.insert(metrics.end(), counts.begin(), counts.end());
+    return metrics;
 }
 
 }  // namespace rambla::game::study

@@ -1,6 +1,7 @@
 #include "render/passes/depth_prepass.h"
 
 #include "assets/material.h"
+#include "render/passes/bare_mesh.h"
 
 namespace rambla::render {
 
@@ -12,13 +13,7 @@ const gl::Program& DepthPrePass::program(bool masked, bool skinned, bool morphed
                                            .vertex = "mesh.vert.glsl",
                                            .fragment = masked ? "depth_mask.frag.glsl" : "",
                                            .compute = {},
-                                           .defines = {{"DETAIL", "0"},
-                                                       {"EMISSION", "0"},
-                                                       {"SPECULAR", "0"},
-                                                       {"TRANSMISSION", "0"},
-                                                       {"LIGHT_MAP", "0"},
-                                                       {"SKINNED", skinned ? "1" : "0"},
-                                                       {"MORPHED", morphed ? "1" : "0"}}});
+                                           .defines = bare_mesh_defines(skinned, morphed)});
     }
     return *variants_[index];
 }

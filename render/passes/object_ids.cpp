@@ -1,6 +1,9 @@
 #include "render/passes/object_ids.h"
 
+#include <utility>
+
 #include "assets/material.h"
+#include "render/passes/bare_mesh.h"
 #include "render/passes/depth_prepass.h"
 
 namespace rambla::render {
@@ -8,19 +11,14 @@ namespace rambla::render {
 const gl::Program& ObjectIdsPass::program(bool masked, bool skinned, bool morphed) {
     const std::size_t index = (masked ? 1u : 0u) | (skinned ? 2u : 0u) | (morphed ? 4u : 0u);
     if (variants_[index] == nullptr) {
+        auto defines = bare_mesh_defines(skinned, morphed);
+        defines.emplace_back("OBJECTS", "1");
+        defines.emplace_back("ALPHA_MASK", masked ? "1" : "0");
         variants_[index] = &programs_.get({.name = masked ? "object ids, masked" : "object ids",
                                            .vertex = "mesh.vert.glsl",
                                            .fragment = "object_ids.frag.glsl",
                                            .compute = {},
-                                           .defines = {{"OBJECTS", "1"},
-                                                       {"ALPHA_MASK", masked ? "1" : "0"},
-                                                       {"DETAIL", "0"},
-                                                       {"EMISSION", "0"},
-                                                       {"SPECULAR", "0"},
-                                                       {"TRANSMISSION", "0"},
-                                                       {"LIGHT_MAP", "0"},
-                                                       {"SKINNED", skinned ? "1" : "0"},
-                                                       {"MORPHED", morphed ? "1" : "0"}}});
+                                           .defines = std::move(defines)});
     }
     return *variants_[index];
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "render/passes/bare_mesh.h"
 #include "render/passes/gbuffer.h"
 #include "render/shaders/shared/bindings.h"
 
@@ -71,13 +72,7 @@ const gl::Program& DebugViewPass::overdraw_program(bool skinned, bool morphed) {
                                   .vertex = "mesh.vert.glsl",
                                   .fragment = "overdraw.frag.glsl",
                                   .compute = {},
-                                  .defines = {{"DETAIL", "0"},
-                                              {"EMISSION", "0"},
-                                              {"SPECULAR", "0"},
-                                              {"TRANSMISSION", "0"},
-                                              {"LIGHT_MAP", "0"},
-                                              {"SKINNED", skinned ? "1" : "0"},
-                                              {"MORPHED", morphed ? "1" : "0"}}});
+                                  .defines = bare_mesh_defines(skinned, morphed)});
     }
     return *variant;
 }

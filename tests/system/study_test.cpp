@@ -70,6 +70,60 @@ TEST_F(StudyProgram, RefusesAnEarlierRunThatCannotBeRead) {
     EXPECT_THAT(ended.err, HasSubstr("old.json"));
 }
 
+/// Making textures as they are takes a fraction of making blocks well, whatever else the machine does: those
+/// two grades alone are compared with what an earlier run might have measured.
+struct StudyAgainst : StudyProgram {
+    Ended against(const std::vector<double>& off_ms, const std::vector<double>& good_ms, const char* rounds) {
+        const auto grade = [](const char* name, const std::vector<double>& ms) {
+            return nlohmann::json{{"scene", "making 2 textures of the street"},
+                                  {"grade", name},
+                                  {"ms", ms},
+                                  {"bytes", 0},
+                                  {"metrics", nlohmann::json::array()}};
+        };
+        const nlohmann::json earlier{
+            {"schema", "rambla.study/1"},
+            {"name", "compression"},
+            {"title", ""},
+            {"question", ""},
+            {"reference", ""},
+            {"command", ""},
+            {"incomplete", ""},
+            {"duration_s", 1},
+            {"facts", nlohmann::json::array()},
+            {"plotted_metric", ""},
+            {"grades", {grade("compression=off", off_ms), grade("compression=good", good_ms)}},
+            {"plots", nlohmann::json::array()},
+            {"tables", nlohmann::json::array()}};
+        write_file(folder / "old.json", earlier.dump());
+        return rambla({"study", "compression", "--quick", "--rounds", rounds, "--size", "64x36", "-o",
+                       "report", "--against", "old.json"},
+                      folder);
+    }
+};
+
+TEST_F(StudyAgainst, EndsWellWhereTheOrderIsTheSame) {
+    const Ended ended = against({1, 1, 1}, {9, 9, 9}, "3");
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("compression: 1 pairs of grades differ by more than their spreads in "
+                                     "both runs, 0 changed places"));
+}
+
+TEST_F(StudyAgainst, SaysWhichGradesChangedPlaces) {
+    const Ended ended = against({9, 9, 9}, {1, 1, 1}, "3");
+    EXPECT_EQ(ended.exit_code, 1) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("CHANGED PLACES"));
+}
+
+TEST_F(StudyAgainst, SaysThatNothingWasComparedAndWhy) {
+    const Ended few = against({1, 1, 1}, {9, 9, 9}, "2");
+    EXPECT_EQ(few.exit_code, 1) << few.err;
+    EXPECT_THAT(few.out, HasSubstr("NOTHING COMPARED  one of the runs has fewer than three rounds"));
+    const Ended alike = against({1, 5, 9}, {1, 5, 9}, "3");
+    EXPECT_EQ(alike.exit_code, 1) << alike.err;
+    EXPECT_THAT(alike.out, HasSubstr("NOTHING COMPARED  no two grades differ by more than their spreads"));
+}
+
 TEST_F(StudyProgram, AnInterruptKeepsWhatWasMeasuredAndMarksIt) {
     Process process{{RAMBLA_PROGRAM, "study", "detail", "passes", "--quick", "--rounds", "3", "--size",
                      "64x36", "-o", "report"},

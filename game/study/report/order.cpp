@@ -40,19 +40,25 @@ std::vector<Pair> pairs_of(const SceneGrades& old_scene, const SceneGrades& new_
     return pairs;
 }
 
-void append_reversals(std::vector<Reversal>& reversals, const std::string& scene,
-                      const std::vector<Pair>& pairs) {
+/// Two grades that differ by more than their spreads in both runs.
+struct Comparison {
+    Pair cheaper;  ///< before
+    Pair dearer;
+    bool reversed = false;
+};
+
+std::vector<Comparison> comparisons_of(const std::vector<Pair>& pairs) {
+    std::vector<Comparison> comparisons;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         for (std::size_t j = i + 1; j < pairs.size(); ++j) {
             const int before = order_of(pairs[i].before, pairs[j].before);
             const int now = order_of(pairs[i].now, pairs[j].now);
-            if (before * now != -1) continue;
-            const Pair& cheaper = before < 0 ? pairs[i] : pairs[j];
-            const Pair& dearer = before < 0 ? pairs[j] : pairs[i];
-            reversals.push_back(
-                {scene, cheaper.grade, dearer.grade, cheaper.before, dearer.before, cheaper.now, dearer.now});
+            if (before == 0 || now == 0) continue;
+            const std::size_t cheaper = before < 0 ? i : j;
+            comparisons.push_back({pairs[cheaper], pairs[i + j - cheaper], before != now});
         }
     }
+    return comparisons;
 }
 
 /// Calls `visit` with the name of each scene that both runs have, and its grades.
@@ -72,7 +78,10 @@ void for_each_scene(const StudyResult& old_run, const StudyResult& new_run, Visi
 std::vector<Reversal> same_order(const StudyResult& old_run, const StudyResult& new_run) {
     std::vector<Reversal> reversals;
     for_each_scene(old_run, new_run, [&](const std::string& scene, const std::vector<Pair>& pairs) {
-        append_reversals(reversals, scene, pairs);
+        for (const auto& [cheaper, dearer, reversed] : comparisons_of(pairs))
+            if (reversed)
+                reversals.push_back({scene, cheaper.grade, dearer.grade, cheaper.before, dearer.before,
+                                     cheaper.now, dearer.now});
     });
     return reversals;
 }
@@ -80,15 +89,16 @@ std::vector<Reversal> same_order(const StudyResult& old_run, const StudyResult& 
 std::size_t compared_pairs(const StudyResult& old_run, const StudyResult& new_run) {
     std::size_t count = 0;
     for_each_scene(old_run, new_run, [&](const std::string&, const std::vector<Pair>& pairs) {
-        for (std::size_t i = 0; i < pairs.size(); ++i) {
-            for (std::size_t j = i + 1; j < pairs.size(); ++j) {
-                const bool before = order_of(pairs[i].before, pairs[j].before) != 0;
-                const bool now = order_of(pairs[i].now, pairs[j].now) != 0;
-                count += before && now ? 1 : 0;
-            }
-        }
+        count += comparisons_of(pairs).size();
     });
     return count;
+}
+
+bool has_enough_rounds(const StudyResult& run) {
+    const auto longest = std::max_element(
+        run.grades.begin(), run.grades.end(),
+        [](const GradeResult& a, const GradeResult& b) { return a.ms.size() < b.ms.size(); });
+    return longest != run.grades.end() && longest->ms.size() >= k_least_rounds;
 }
 
 std::string to_text(const Reversal& r) {

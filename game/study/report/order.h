@@ -27,6 +27,9 @@ struct Reversal {
 /// same_order() can say something about. Grades of fewer than three rounds have no spread worth the name.
 [[nodiscard]] std::size_t compared_pairs(const StudyResult& old_run, const StudyResult& new_run);
 
+/// Whether any grade of a run has the rounds that a comparison takes, which are three.
+[[nodiscard]] bool has_enough_rounds(const StudyResult& run);
+
 /// "blocks: a was cheaper than b (1.00 against 1.52), now it is dearer (1.41 against 1.00)"
 [[nodiscard]] std::string to_text(const Reversal& reversal);
 

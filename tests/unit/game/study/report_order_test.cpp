@@ -35,12 +35,16 @@ TEST(StudyOrder, TwoRoundsAreTooFewToSayAnything) {
     const StudyResult now = study({grade("s", "a", {2, 2}), grade("s", "b", {1, 1})});
     EXPECT_TRUE(same_order(before, now).empty());
     EXPECT_EQ(compared_pairs(before, now), 0u);
+    EXPECT_FALSE(has_enough_rounds(before));
+    EXPECT_FALSE(has_enough_rounds(study({})));
+    EXPECT_TRUE(has_enough_rounds(study({grade("s", "a", {}), grade("s", "b", {1, 1, 1})})));
 }
 
 TEST(StudyOrder, TheSameRunHasNoReversal) {
     const StudyResult run =
-        study({grade("s", "a", {1, 2}), grade("s", "b", {3, 1}), grade("t", "a", {5, 1})});
+        study({grade("s", "a", {1, 1.1, 1.2}), grade("s", "b", {3, 2.9, 3.1}), grade("t", "a", {5, 1, 2})});
     EXPECT_TRUE(same_order(run, run).empty());
+    EXPECT_EQ(compared_pairs(run, run), 1u) << "the two of one scene, well apart";
 }
 
 TEST(StudyOrder, DifferencesWithinTheSpreadOfEitherRunSayNothing) {
@@ -52,10 +56,14 @@ TEST(StudyOrder, DifferencesWithinTheSpreadOfEitherRunSayNothing) {
 }
 
 TEST(StudyOrder, GradesOfOtherScenesAndOfOneRunAloneSayNothing) {
-    const StudyResult before = study({grade("s", "a", {1}), grade("s", "b", {2}), grade("s", "gone", {1})});
-    const StudyResult now = study({grade("t", "a", {2}), grade("t", "b", {1}), grade("s", "b", {1}),
-                                   grade("s", "new", {2}), grade("s", "a", {})});
+    const StudyResult before =
+        study({grade("s", "a", {1, 1, 1}), grade("s", "b", {2, 2, 2}), grade("s", "gone", {3, 3, 3})});
+    const StudyResult now =
+        study({grade("t", "a", {2, 2, 2}), grade("t", "b", {1, 1, 1}), grade("s", "b", {1, 1, 1}),
+               grade("s", "new", {2, 2, 2}), grade("s", "a", {})});
     EXPECT_TRUE(same_order(before, now).empty());
+    EXPECT_EQ(compared_pairs(before, now), 0u);
+    EXPECT_EQ(compared_pairs(before, before), 3u) << "which have rounds enough to be compared";
 }
 
 }  // namespace

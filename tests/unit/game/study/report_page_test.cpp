@@ -76,7 +76,9 @@ TEST(StudyPage, MarksTheCheapestGradeInItsRow) {
     StudyRun run = sample();
     run.result.grades[2].ms = {1, 1, 1};
     const std::string html = body(to_page({run}, k_facts));
-    const std::size_t row = html.find(">worse<");
+    const std::size_t row = html.find("<span class=\"whole\">worse");
+    ASSERT_NE(row, std::string::npos);
+    EXPECT_LT(html.find("<span class=\"whole\">queried"), row);
     EXPECT_LT(row, html.find("class=\"tag\">cheapest<"));
     EXPECT_EQ(matches(html, "class=\"tag\">cheapest<").size(), 1u);
 }
