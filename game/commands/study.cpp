@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -146,13 +147,14 @@ int run(StudyCommand& command) {
     const std::vector<std::string> order = names_in_order();
     std::vector<StudyResult> results;
     // Before the first study, too: a folder that cannot be written to is known before the work.
-    study::write_report(command.folder, results, facts, order);
+    study::write_report(command.folder, {}, facts, order);
     std::string text;
     bool complete = true;
     for (const study::Study* chosen : studies) {
         if (context.stopped()) break;
         results.push_back(study::run_study(*chosen, context, command_text(command, chosen->name)));
-        study::write_report(command.folder, results, facts, order);
+        // Those before it are read back from the folder, as those of earlier runs are.
+        study::write_report(command.folder, std::span{&results.back(), 1}, facts, order);
         text += study::to_text(results.back());
         complete = complete && results.back().incomplete.empty();
     }

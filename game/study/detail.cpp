@@ -2,11 +2,13 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <array>
+#include <utility>
 
 #include "game/study/grades.h"
 #include "game/study/in_turns.h"
 #include "game/study/pass_ms.h"
 #include "game/study/picture_error.h"
+#include "game/study/picture_part.h"
 
 namespace rambla::game::study {
 namespace {
@@ -20,6 +22,7 @@ constexpr std::array<std::string_view, 7> k_grades{"flat",
                                                    "occlusion:steps=32",
                                                    "occlusion:steps=128"};
 constexpr std::array<std::string_view, 1> k_passes{"gbuffer"};
+constexpr glm::uvec2 k_part_px{160, 90};  ///< of a picture, as the page shows it
 
 std::vector<PictureGrade> grades() {
     render::Settings settings = plain_settings();
@@ -31,23 +34,38 @@ std::vector<PictureGrade> grades() {
     return all;
 }
 
-/// Metrics of each grade against the last one, as means over the rounds' pictures.
-std::vector<std::vector<Metric>> errors(StudyContext& context, Stage& stage,
-                                        const std::vector<PictureGrade>& all, const EyeOfRound& eye,
-                                        std::uint32_t rounds) {
+/// What is seen of each grade's picture where the first grade and the last differ most.
+PictureRow parts(const std::string& scene, const std::vector<PictureGrade>& all,
+                 const std::vector<assets::Image>& pictures) {
+    PictureRow row{.title = fmt::format("Where flat differs most from {}: {}", all.back().name, scene),
+                   .pictures = {}};
+    const glm::uvec2 corner = most_different_part(pictures.front(), pictures.back(), k_part_px);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        row.pictures.push_back({all[i].name, part_of(pictures[i], corner, k_part_px)});
+    return row;
+}
+
+struct Errors {
+    std::vector<std::vector<Metric>> metrics;  ///< of each grade against the last one, means over the rounds
+    std::vector<assets::Image> first{};        ///< each grade's picture of the first round
+};
+
+Errors errors(StudyContext& context, Stage& stage, const std::vector<PictureGrade>& all,
+              const EyeOfRound& eye, std::uint32_t rounds) {
+    Errors found;
     std::vector<std::vector<std::vector<Metric>>> metrics(all.size());
-    const auto picture = [&](const PictureGrade& grade, std::uint32_t round) {
-        return draw(context.thread(), stage, grade, eye(round), {.display = true}).display.value();
-    };
     for (std::uint32_t round = 0; round < rounds && !context.stopped(); ++round) {
-        const assets::Image reference = picture(all.back(), round);
+        std::vector<assets::Image> pictures;
+        for (const PictureGrade& grade : all)
+            pictures.push_back(
+                draw(context.thread(), stage, grade, eye(round), {.display = true}).display.value());
         for (std::size_t i = 0; i < all.size(); ++i)
-            metrics[i].push_back(display_metrics(reference, picture(all[i], round)));
+            metrics[i].push_back(display_metrics(pictures.back(), pictures[i]));
+        if (round == 0) found.first = std::move(pictures);
     }
-    std::vector<std::vector<Metric>> means;
     for (const auto& of_grade : metrics)
-        means.push_back(mean_metrics(of_grade));
-    return means;
+        found.metrics.push_back(mean_metrics(of_grade));
+    return found;
 }
 
 void run(StudyContext& context, StudyResult& result) {
@@ -69,14 +87,15 @@ void run(StudyContext& context, StudyResult& result) {
         const EyeOfRound eye = along_the_walk(stage, size_px, rounds);
         const std::vector<PictureCost> costs =
             draw_in_turns(context, stage, all, eye, rounds, "detail: " + scene);
-        const std::vector<std::vector<Metric>> metrics = errors(context, stage, all, eye, rounds);
+        Errors found = errors(context, stage, all, eye, rounds);
         for (std::size_t i = 0; i < costs.size(); ++i) {
             result.grades.push_back({.scene = scene,
                                      .grade = all[i].name,
                                      .ms = sums_ms(costs[i], k_passes),
                                      .bytes = transient_bytes(costs[i]),
-                                     .metrics = metrics[i]});
+                                     .metrics = std::move(found.metrics[i])});
         }
+        if (!costs.empty() && !found.first.empty()) result.pictures.push_back(parts(scene, all, found.first));
         if (context.stopped()) return;
     }
 }

@@ -41,6 +41,27 @@ function layout_findings({ smallest_text_px, tolerance_px }) {
     }
   }
 
+  const pictures = [...document.querySelectorAll('main img')];
+  if (pictures.length === 0) findings.push('no picture');
+  for (const picture of pictures) {
+    const name = picture.alt || `a picture of ${picture.closest('section.study')?.id}`;
+    if (!picture.alt) findings.push(`${name}: nothing stands for it where it cannot be seen`);
+    if (!picture.complete || picture.naturalWidth === 0) {
+      findings.push(`${name}: a broken picture`);
+      continue;
+    }
+    const box = picture.getBoundingClientRect();
+    const column = picture.closest('figure').getBoundingClientRect();
+    if (!inside(box, column, tolerance_px, tolerance_px)) findings.push(`${name}: a picture outside its column`);
+    const height = box.width * picture.naturalHeight / picture.naturalWidth;
+    if (box.width === 0 || Math.abs(box.height - height) > tolerance_px)
+      findings.push(`${name}: a picture out of shape, ${box.width.toFixed(0)} × ${box.height.toFixed(0)} px`);
+    const pixels = getComputedStyle(picture).imageRendering === 'pixelated';
+    if (box.width > picture.naturalWidth + tolerance_px && !pixels) findings.push(`${name}: a blurred picture`);
+    const caption = picture.closest('figure').querySelector('figcaption').getBoundingClientRect();
+    if (caption.top < box.bottom - tolerance_px) findings.push(`${name}: a label on the picture`);
+  }
+
   const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (texts.nextNode()) {
     const parent = texts.currentNode.parentElement;
@@ -60,9 +81,11 @@ function unfold() {
   for (const folded of document.querySelectorAll('details')) folded.open = true;
 }
 
-/// The text and the number of marks that a reader finds.
+/// The text and the numbers of marks and pictures that a reader finds.
 function content() {
-  return { text: document.body.innerText, marks: document.querySelectorAll('svg.plot .mark').length };
+  const shown = [...document.images].filter((picture) => picture.naturalWidth > 0);
+  return { text: document.body.innerText, marks: document.querySelectorAll('svg.plot .mark').length,
+           pictures: shown.length };
 }
 
 /// Two windows of a width, one of which runs no scripts.
@@ -95,7 +118,7 @@ export async function findings({ width, page, plain }, url, screenshot) {
   await plain.goto(url);
   await plain.evaluate(unfold);
   const without_scripts = await plain.evaluate(content);
-  if (without_scripts.text !== with_scripts.text || without_scripts.marks !== with_scripts.marks)
+  if (JSON.stringify(without_scripts) !== JSON.stringify(with_scripts))
     found.push('the page has other content without scripts');
   return found.map((finding) => `${width} px: ${finding}`);
 }

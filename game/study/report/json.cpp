@@ -11,6 +11,7 @@
 
 #include "assets/error.h"
 #include "game/study/report/json_reader.h"
+#include "game/study/report/picture_files.h"
 #include "game/study/report/text.h"
 
 namespace rambla::game::study {
@@ -69,6 +70,23 @@ Json to_value(const Table& table) {
     return {{"title", table.title}, {"head", table.head}, {"rows", table.rows}};
 }
 
+/// @param study, index  whose row it is, and the how manieth
+Json to_value(const PictureRow& row, const std::string& study, std::size_t index) {
+    Json pictures = Json::array();
+    for (std::size_t i = 0; i < row.pictures.size(); ++i) {
+        pictures.push_back({{"label", row.pictures[i].label}, {"file", picture_file(study, index, i)}});
+        if (!picture_fault(row, i).empty()) pictures.back()["file"] = nullptr;
+    }
+    return {{"title", row.title}, {"pictures", std::move(pictures)}};
+}
+
+Json picture_rows(const StudyResult& study) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < study.pictures.size(); ++i)
+        rows.push_back(to_value(study.pictures[i], study.name, i));
+    return rows;
+}
+
 Metric metric_from(const JsonReader& in) {
     return {in.member("name").text(), in.member("value").number(), in.member("unit").text()};
 }
@@ -119,6 +137,14 @@ Table table_from(const JsonReader& in) {
     return table;
 }
 
+/// Files are found by their place (picture_file), whatever names the text has.
+PictureRow picture_row_from(const JsonReader& in) {
+    PictureRow row{in.member("title").text(), {}};
+    for (const JsonReader& picture : in.member("pictures").items())
+        row.pictures.push_back({picture.member("label").text(), {}});
+    return row;
+}
+
 StudyResult study_from(const JsonReader& in) {
     StudyResult study{in.member("name").text(), in.member("title").text(), in.member("question").text(),
                       in.member("reference").text(), in.member("command").text()};
@@ -129,6 +155,9 @@ StudyResult study_from(const JsonReader& in) {
         study.plots.push_back(plot_from(plot));
     for (const JsonReader& table : in.member("tables").items())
         study.tables.push_back(table_from(table));
+    if (const std::optional<JsonReader> rows = in.optional_member("pictures"))
+        for (const JsonReader& row : rows->items())
+            study.pictures.push_back(picture_row_from(row));
     study.incomplete = in.member("incomplete").text();
     study.duration_s = in.member("duration_s").number();
     return study;
@@ -154,7 +183,8 @@ std::string to_json(const StudyRun& run) {
         {"plotted_metric", study.plotted_metric},
         {"grades", array_of(study.grades, [](const GradeResult& grade) { return to_value(grade); })},
         {"plots", array_of(study.plots, [](const Plot& plot) { return to_value(plot); })},
-        {"tables", array_of(study.tables, [](const Table& table) { return to_value(table); })}};
+        {"tables", array_of(study.tables, [](const Table& table) { return to_value(table); })},
+        {"pictures", picture_rows(study)}};
     return json.dump(1, ' ', false, Json::error_handler_t::replace).append("\n");
 }
 

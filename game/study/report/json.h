@@ -15,10 +15,11 @@ struct StudyRun {
 };
 
 /// All of a study, every round included, as one JSON object of the schema "rambla.study/1". Numbers that JSON
-/// cannot hold are the texts "inf", "-inf" and "nan". Bytes that are no UTF-8 become U+FFFD.
+/// cannot hold are the texts "inf", "-inf" and "nan". Bytes that are no UTF-8 become U+FFFD. Of pictures it
+/// has titles, labels and the names of their files.
 [[nodiscard]] std::string to_json(const StudyRun& run);
 
-/// What to_json() wrote. Members that are not known are passed over.
+/// What to_json() wrote; pictures are without texels. Members that are not known are passed over.
 /// @param text  from anywhere
 /// @param file  named in errors
 /// @throws assets::Error  naming file and element, what is there and what should be

@@ -30,6 +30,11 @@ JsonReader JsonReader::member(const char* name) const {
     return {*found, file_, std::move(place)};
 }
 
+std::optional<JsonReader> JsonReader::optional_member(const char* name) const {
+    if (value_->is_object() && !value_->contains(name)) return std::nullopt;
+    return member(name);
+}
+
 std::vector<JsonReader> JsonReader::items() const {
     if (!value_->is_array()) refuse("an array");
     std::vector<JsonReader> readers;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ public:
 
     /// A member of an object.
     [[nodiscard]] JsonReader member(const char* name) const;
+    /// A member of an object that files of earlier versions lack.
+    [[nodiscard]] std::optional<JsonReader> optional_member(const char* name) const;
     /// The items of an array.
     [[nodiscard]] std::vector<JsonReader> items() const;
     /// The items of an array that has this many.

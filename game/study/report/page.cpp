@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "game/study/report/figure.h"
+#include "game/study/report/page_pictures.h"
 #include "game/study/report/page_style.h"
 #include "game/study/report/page_table.h"
 #include "game/study/report/plot.h"
@@ -115,7 +116,8 @@ std::string section(const StudyRun& run, const RunFacts& facts_of_page) {
                           fmt::format("<b>This study is incomplete.</b> {}", escaped(study.incomplete)));
     html.append(other_facts(run.facts, facts_of_page))
         .append(run_again(study, drawn))
-        .append(figures_html(figures));
+        .append(figures_html(figures))
+        .append(pictures_html(study));
     for (const SceneGrades& scene : by_scene(study))
         html += grades_block(scene, study.plotted_metric);
     return html.append(tables_html(study.tables)).append("</section>\n");

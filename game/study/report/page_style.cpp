@@ -45,6 +45,13 @@ code{font:.86em/1.5 ui-monospace,"Cascadia Code","DejaVu Sans Mono",Menlo,Consol
   align-items:start;margin:.4rem 0}
 .figures figure{margin:0;min-width:0}
 .plot{display:block;width:100%;max-width:36rem;height:auto;overflow:visible}
+.pictures{display:grid;grid-template-columns:repeat(auto-fill,min(20rem,100%));gap:1rem .75rem;align-items:start}
+.broad{grid-template-columns:repeat(auto-fit,minmax(min(20rem,100%),1fr))}
+.pictures figure{margin:0;min-width:0}
+.pictures a{display:block;width:fit-content;max-width:100%}
+.pictures img{display:block;max-width:100%;height:auto}
+.pixels{image-rendering:pixelated}
+.pictures figcaption{font-size:.8125rem;color:var(--muted);margin-top:.3rem}
 .block{display:grid;gap:.5rem;min-width:0;margin-top:.8rem}
 .block h3 .small{font-weight:400;letter-spacing:0;margin-left:.5em}
 details{min-width:0}details>.block{margin-top:1.6rem}summary{cursor:pointer;color:var(--link);font-size:.9rem}

@@ -12,6 +12,7 @@
 #include "game/study/report/csv.h"
 #include "game/study/report/figure.h"
 #include "game/study/report/page.h"
+#include "game/study/report/picture_files.h"
 #include "game/study/report/plot.h"
 
 namespace rambla::game::study {
@@ -55,6 +56,7 @@ void write_study(const fs::path& folder, const StudyRun& run) {
         std::error_code ignored;
         fs::remove(svg, ignored);
     }
+    write_pictures(folder, study);
     assets::write_text(file_of(folder, study.name, ".csv"), to_csv(study));
     assets::write_text(file_of(folder, study.name, ".json"), to_json(run));
 }
@@ -64,6 +66,7 @@ StudyRun read_earlier(const fs::path& file) {
     if (run.result.name != file.stem().string() || !is_name(run.result.name))
         throw assets::Error{file.string(), "name", fmt::format("\"{}\"", run.result.name),
                             "the file's own name"};
+    read_pictures(file.parent_path(), run.result);
     return run;
 }
 

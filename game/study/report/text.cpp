@@ -97,6 +97,21 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
+std::string base64(std::span<const std::byte> bytes) {
+    constexpr std::string_view k_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t bits = 0;
+        for (std::size_t j = 0; j < 3; ++j)
+            bits = bits << 8 | (j < count ? std::to_integer<std::uint32_t>(bytes[i + j]) : 0u);
+        for (std::size_t j = 0; j < 4; ++j)
+            text += j <= count ? k_digits[bits >> (18 - 6 * j) & 63u] : '=';
+    }
+    return text;
+}
+
 std::string exact(double value) {
     if (std::isnan(value)) return "nan";
     return fmt::format("{}", value);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +11,9 @@ namespace rambla::game::study {
 /// Text for XML and HTML, inside elements and quoted attributes. Bytes that are no UTF-8 and characters that
 /// XML does not have become U+FFFD, since one of them would make a reader refuse the whole file.
 [[nodiscard]] std::string escaped(std::string_view text);
+
+/// Bytes as characters for a data URI (RFC 4648, section 4).
+[[nodiscard]] std::string base64(std::span<const std::byte> bytes);
 
 /// The shortest decimal that reads back as the same double, in any locale: "0.1", "1e-07", "inf", "-inf",
 /// "nan".

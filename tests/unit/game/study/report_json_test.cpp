@@ -15,6 +15,10 @@ namespace {
 
 using nlohmann::json;
 
+assets::Image one_pixel() {
+    return {.name = {}, .width = 1, .height = 1, .texels = std::vector(4, std::byte{255})};
+}
+
 StudyRun sample() {
     const double infinite = std::numeric_limits<double>::infinity();
     StudyResult study{"lighting", "Lighting paths", "Which?", "The one in doubles, \"exact\".",
@@ -34,6 +38,7 @@ StudyRun sample() {
                     true,
                     {{"µ <b>", {{1, 2.5}, {infinite, -4}}, true}, {"none", {}, false}}}};
     study.tables = {{"Memory", {"path", "bytes"}, {{"clustered", "4096"}, {"off", "–"}}}};
+    study.pictures = {{"Before and after", {{"off", {}}, {"on", one_pixel()}}}, {"None", {}}};
     study.incomplete = "no room for one of them";
     study.duration_s = 12.75;
     return {study, {{"machine", "a box"}, {"date", "2024-05-07"}}};
@@ -73,8 +78,27 @@ TEST(StudyJson, ReadsBackWhatItWrote) {
     EXPECT_EQ(is.tables.at(0).title, was.tables[0].title);
     EXPECT_EQ(is.tables[0].head, was.tables[0].head);
     EXPECT_EQ(is.tables[0].rows, was.tables[0].rows);
-    // Whatever is compared above for one item holds for all.
-    EXPECT_EQ(to_json(back), text);
+    ASSERT_EQ(is.pictures.size(), 2u);
+    EXPECT_EQ(is.pictures[0].title, was.pictures[0].title);
+    ASSERT_EQ(is.pictures[0].pictures.size(), 2u);
+    EXPECT_EQ(is.pictures[0].pictures[1].label, "on");
+    EXPECT_TRUE(is.pictures[1].pictures.empty());
+    // Whatever is compared above for one item holds for all. Texels are in files of their own.
+    StudyRun with_texels = back;
+    with_texels.result.pictures[0].pictures[1].image = one_pixel();
+    EXPECT_EQ(to_json(with_texels), text);
+}
+
+TEST(StudyJson, NamesTheFilesOfPicturesThatCanBeShown) {
+    const json pictures = json::parse(to_json(sample()))["pictures"][0]["pictures"];
+    EXPECT_EQ(pictures[0], (json{{"label", "off"}, {"file", nullptr}}));
+    EXPECT_EQ(pictures[1], (json{{"label", "on"}, {"file", "lighting-1-2.png"}}));
+}
+
+TEST(StudyJson, AFileFromBeforeThereWerePicturesIsRead) {
+    json old = json::parse(to_json(sample()));
+    old.erase("pictures");
+    EXPECT_TRUE(from_json(old.dump(), "x.json").result.pictures.empty());
 }
 
 TEST(StudyJson, NotANumberReadsBack) {
@@ -128,6 +152,9 @@ TEST(StudyJson, RefusesOtherFilesAndSaysWhatIsWrong) {
               "runs/lighting.json: plots[0].x_log: 1, expected true or false");
     EXPECT_EQ(message_for("/tables/0/rows/0", json::array({"one"})),
               "runs/lighting.json: tables[0].rows[0]: an array of 1, expected an array of 2");
+    EXPECT_EQ(message_for("/pictures/0/pictures/1/label", 7),
+              "runs/lighting.json: pictures[0].pictures[1].label: 7, expected a text");
+    EXPECT_EQ(message_for("/pictures", "many"), "runs/lighting.json: pictures: \"many\", expected an array");
     EXPECT_EQ(message_for("/facts/0/value", 7), "runs/lighting.json: facts[0].value: 7, expected a text");
     EXPECT_THAT(message_for("/title", json::object()),
                 testing::HasSubstr("title: an object of 0, expected a text"));

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <limits>
+#include <span>
 
 namespace rambla::game::study {
 namespace {
@@ -56,6 +57,19 @@ TEST(StudyText, WrapsAtSpacesAndInsideLongWords) {
     EXPECT_THAT(wrapped("one two three four five", 10, 2), ElementsAre("one two", "three fou…"));
     EXPECT_THAT(wrapped("µµµ µµµ", 3, 2), ElementsAre("µµµ", "µµµ"));
     EXPECT_THAT(wrapped("", 10, 2), ElementsAre());
+}
+
+TEST(StudyText, BytesAsCharacters) {
+    const auto of = [](std::string_view text) {
+        return base64(std::as_bytes(std::span{text}));
+    };
+    // RFC 4648, section 10.
+    EXPECT_EQ(of(""), "");
+    EXPECT_EQ(of("f"), "Zg==");
+    EXPECT_EQ(of("fo"), "Zm8=");
+    EXPECT_EQ(of("foo"), "Zm9v");
+    EXPECT_EQ(of("foob"), "Zm9vYg==");
+    EXPECT_EQ(of("\xFB\xFF\xBF"), "+/+/");
 }
 
 }  // namespace
