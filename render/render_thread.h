@@ -57,7 +57,8 @@ struct SurfaceImages {
 struct FrameOutput {
     systems::Feedback feedback;
     std::optional<assets::Image> display;  ///< rgba8, sRGB, HUD included
-    std::optional<assets::Image> linear;   ///< rgba32f scene colour, exposure taken out, before tone mapping
+    std::optional<assets::Image> linear;   ///< rgba32f scene colour, exposure taken out, before bloom
+    std::optional<assets::Image> glowing;  ///< the same as tone mapping finds it
     std::optional<ObjectImage> objects;
     std::optional<SurfaceImages> surfaces;  ///< only of the paths that have a G-buffer
     std::string shader_error;               ///< of a failed reload; the old programs stay in use

@@ -69,12 +69,14 @@ struct InFlight {
     FrameOutput output;
     Capture display;
     Capture linear;
+    Capture glowing;
     Capture objects;
     Capture positions;
     Capture normals;
     ExposureCapture exposure;
 
-    void add_captures(RenderGraph& graph, const FrameResources& resources);
+    void add_scene_captures(RenderGraph& graph, const FrameResources& resources);
+    void add_display_captures(RenderGraph& graph, const FrameResources& resources);
     void take_captures();
 };
 
@@ -88,7 +90,7 @@ void capture(Capture& capture, RenderGraph& graph, const char* name, TextureHand
 }
 
 /// Of what is between scene and display.
-void InFlight::add_captures(RenderGraph& graph, const FrameResources& resources) {
+void InFlight::add_scene_captures(RenderGraph& graph, const FrameResources& resources) {
     const systems::CaptureRequest& wanted = resources.frame.capture;
     capture(linear, graph, "capture linear", wanted.linear ? resources.scene_colour : TextureHandle{},
             CapturedAs::floats, 1.0f / resources.exposure);
@@ -98,10 +100,20 @@ void InFlight::add_captures(RenderGraph& graph, const FrameResources& resources)
     capture(normals, graph, "capture normals", resources.read_normals, CapturedAs::floats);
 }
 
+/// Of what passes after the scene have made.
+void InFlight::add_display_captures(RenderGraph& graph, const FrameResources& resources) {
+    const systems::CaptureRequest& wanted = resources.frame.capture;
+    capture(glowing, graph, "capture glowing", wanted.glowing ? resources.scene_colour : TextureHandle{},
+            CapturedAs::floats, 1.0f / resources.exposure);
+    capture(display, graph, "capture display", wanted.display ? resources.backbuffer : TextureHandle{},
+            CapturedAs::bytes);
+}
+
 void InFlight::take_captures() {
     if (display.pending()) output.display = display.take();
     if (exposure.pending()) output.feedback.exposure = exposure.take();
     if (linear.pending()) output.linear = linear.take();
+    if (glowing.pending()) output.glowing = glowing.take();
     if (objects.pending()) output.objects = objects.take_objects();
     if (positions.pending())
         output.surfaces = SurfaceImages{.positions = positions.take(), .normals = normals.take()};
@@ -267,11 +279,10 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     const bool as_texture = context.headless() || wanted.display;
     resources.backbuffer = import_backbuffer(frame.view.size_px, as_texture);
     scene_passes.add(graph, resources);
-    slot.add_captures(graph, resources);
+    slot.add_scene_captures(graph, resources);
     display_passes.add(graph, resources);
     slot.exposure.add(graph, resources.adapted_exposure);
-    capture(slot.display, graph, "capture display", wanted.display ? resources.backbuffer : TextureHandle{},
-            CapturedAs::bytes);
+    slot.add_display_captures(graph, resources);
     graph.execute(input.timers);
     if (as_texture && !context.headless()) {
         const auto width = static_cast<GLint>(frame.view.size_px.x);

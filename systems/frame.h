@@ -131,7 +131,8 @@ inline constexpr std::uint8_t k_not_demanded = 255;
 /// Pixels that game asks for with this Frame.
 struct CaptureRequest {
     bool display = false;   ///< 8-bit sRGB, what the screen shows
-    bool linear = false;    ///< float, scene colour before tone mapping
+    bool linear = false;    ///< float, scene colour before anything that only displays want, such as bloom
+    bool glowing = false;   ///< float, scene colour as tone mapping finds it
     bool objects = false;   ///< Instance::object of the nearest opaque surface
     bool surfaces = false;  ///< places and normals as lighting finds them in the G-buffer
 };

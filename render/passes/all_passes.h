@@ -13,6 +13,8 @@
 #include "render/passes/sky.h"
 #include "render/passes/solid_light_volumes.h"
 #include "render/passes/surface_capture.h"
+#include "render/post/bloom.h"
+#include "render/post/corona.h"
 #include "render/post/debug_view.h"
 #include "render/post/exposure.h"
 #include "render/post/fxaa.h"
@@ -64,6 +66,8 @@ using ScenePasses = PassList<DepthPrePass,           //
 /// From scene colour to what is shown.
 using DisplayPasses = PassList<LuminancePass,  //
                                ExposurePass,   //
+                               BloomPass,      //
+                               CoronaPass,     //
                                TonemapPass,    //
                                FxaaPass,       //
                                DebugViewPass,  //

@@ -10,15 +10,19 @@ namespace rambla::render {
 
 enum class BloomMethod : std::uint8_t { off, pyramid, iterated, kawase, dual };
 
-/// Light that very bright places shed around them, as eyes and lenses scatter it.
+/// Light that very bright places shed around them, as eyes and lenses scatter it: `intensity` times the light
+/// above the threshold, spread by the sum of four Gaussians (render/post/bloom_kernel.h).
 struct BloomParameters {
     BloomMethod method = BloomMethod::pyramid;
+    /// Luminance of pre-exposed scene colour: the Frame's light times 2^ev. What automatic exposure
+    /// multiplies the picture by is found from this very frame and known to tone mapping alone, so that what
+    /// glows depends on the scene and not on where one looks.
     float threshold = 1.5f;
-    float knee = 0.5f;
+    float knee = 0.5f;  ///< half the width of the soft onset, as a share of the threshold
     float intensity = 0.1f;
-    int passes = 6;
-    bool fireflies = true;
-    bool corona = false;
+    int passes = 6;          ///< of `iterated` and `kawase`
+    bool fireflies = false;  ///< Karis' weights: lamps of a few pixels lose most of their glow as well
+    bool corona = false;     ///< needs no bloom: it is made of the Frame's lights
 };
 inline constexpr std::array<std::string_view, 5> k_bloom_methods{"off", "pyramid", "iterated", "kawase",
                                                                  "dual"};
@@ -26,14 +30,15 @@ inline constexpr std::array k_bloom_parameters{
     parameter<&BloomParameters::method>("bloom", k_bloom_methods,
                                         "Glow about what is very bright: how light is spread."),
     parameter<&BloomParameters::threshold>("threshold", "", 0, 64,
-                                           "Exposed luminance above which things glow; 1 is about white."),
+                                           "Luminance above which things glow, at the exposure's ev; 1 is "
+                                           "about white."),
     parameter<&BloomParameters::knee>(
         "knee", "", 0, 1, "Share of the threshold on either side of it within which glow sets in."),
     parameter<&BloomParameters::intensity>("intensity", "", 0, 1,
                                            "Share of the light above the threshold that is spread."),
     parameter<&BloomParameters::passes>("passes", "", 1, 32, "iterated and kawase: how often it is blurred."),
     parameter<&BloomParameters::fireflies>(
-        "fireflies", "", 0, 1, "Lone very bright pixels count less, so that they do not flicker."),
+        "fireflies", "", 0, 1, "Lone very bright pixels glow less, and so do lamps of few pixels."),
     parameter<&BloomParameters::corona>("corona", "", 0, 1, "Rays and a halo about lamps that are seen."),
 };
 

@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::vector<std::string> k_names{"gbuffer", "lighting", "detail", "luminance", "tonemap", "passes", "compression"};
+const std::vector<std::string> k_names{"gbuffer", "lighting", "detail", "luminance",
+                                       "tonemap", "bloom",    "passes", "compression"};
 
 struct StudyProgram : testing::Test {
     ScratchFolder scratch;

@@ -1,0 +1,37 @@
+#include "render/post/corona.h"
+
+#include "render/shaders/shared/bindings.h"
+
+namespace rambla::render {
+
+void CoronaPass::add(RenderGraph& graph, FrameResources& resources) {
+    const auto lights = static_cast<GLsizei>(resources.frame.lights.size());
+    if (!resources.settings.bloom.corona || lights == 0 || resources.frame.view.orthographic) return;
+    if (program_ == nullptr) {
+        program_ = &programs_.get({.name = "corona",
+                                   .vertex = "corona.vert.glsl",
+                                   .fragment = "corona.frag.glsl",
+                                   .compute = {},
+                                   .defines = {}});
+        no_vertices_.emplace("corona");
+    }
+    graph.add_pass(
+        "corona",
+        [&](PassBuilder& pass) {
+            pass.read(resources.depth);
+            resources.scene_colour = pass.write_colour(0, resources.scene_colour, LoadOp::load);
+        },
+        [this, &resources, lights, depth = resources.depth](PassContext& context) {
+            context.bind_texture(UNIT_PASS, depth, resources.samplers.nearest);
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_ONE, GL_ONE);
+            no_vertices_->bind();
+            program_->use();
+            constexpr GLsizei k_quad_vertices = 4;
+            glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, k_quad_vertices, lights);
+        });
+    resources.counts.draws += 1;
+    resources.counts.calls += 1;
+}
+
+}  // namespace rambla::render
