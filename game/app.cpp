@@ -20,6 +20,7 @@
 #include "game/picture_writer.h"
 #include "game/scene_cache.h"
 #include "game/shader_folder.h"
+#include "game/supersampling.h"
 #include "game/window.h"
 #include "render/post/hud.h"
 #include "render/render_thread.h"
@@ -118,7 +119,8 @@ private:
     void fill(render::FrameInput& frame, const Shot& shot, Clock::time_point now) {
         systems::Eye eye = shot.eye;
         eye.size_px = window_.size_px();
-        systems::build_frame(*stage_.world, eye, shot.interpolation, frame.frame);
+        systems::build_frame(*stage_.world, sampled(eye, settings_.anti_aliasing, thread_.device()),
+                             shot.interpolation, frame.frame);
         const bool wanted = input_.pressed(Action::screenshot);
         const bool linear = input_.with_shift(Action::screenshot);
         frame.frame.capture = {.display = wanted && !linear, .linear = wanted && linear};

@@ -13,6 +13,7 @@
 #include "game/scene_cache.h"
 #include "game/scene_camera.h"
 #include "game/shown_bounds.h"
+#include "game/supersampling.h"
 #include "game/walk_report.h"
 #include "systems/components.h"
 #include "systems/position.h"
@@ -95,7 +96,8 @@ ModelPicture draw_model(render::RenderThread& thread, ModelView& view, bool line
     hand_over(prepare_scene(*stage.scene, thread.device(), quiet), stage, thread);
     if (trace) trace->listen_to(*stage.world);
     render::FrameInput& input = thread.begin();
-    systems::build_frame(*stage.world, view.eye, 1.0f, input.frame);
+    systems::build_frame(*stage.world, sampled(view.eye, view.settings.anti_aliasing, thread.device()), 1.0f,
+                         input.frame);
     input.frame.capture = {.display = !linear, .linear = linear};
     input.frame.hud = std::move(hud);
     input.settings = view.settings;

@@ -24,6 +24,7 @@
 #include "game/progress.h"
 #include "game/scene_cache.h"
 #include "game/step_clock.h"
+#include "game/supersampling.h"
 #include "game/walk_report.h"
 #include "game/window.h"
 #include "render/render_thread.h"
@@ -197,7 +198,8 @@ private:
     void fill(render::FrameInput& input, std::uint32_t frame, float interpolation) {
         systems::Eye eye = walk_eye(stage_, time_of(frame));
         eye.size_px = options_.size_px;
-        systems::build_frame(*stage_.world, eye, interpolation, input.frame);
+        systems::build_frame(*stage_.world, sampled(eye, settings_.anti_aliasing, thread_->device()),
+                             interpolation, input.frame);
         input.settings = settings_;
         input.timers = walk_.trace ? render::PassTimers::stamped : render::PassTimers::off;
         input.reload_shaders = false;

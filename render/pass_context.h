@@ -91,9 +91,11 @@ struct FrameResources {
     BufferHandle
         adapted_exposure{};   ///< shared::AdaptedExposure, which scene_colour has not in it; as luminance
     TextureHandle display{};  ///< tone-mapped, sRGB-encoded GL_RGBA8, alpha: luma; input of anti-aliasing
-    TextureHandle
-        backbuffer{};  ///< what is shown: anti-aliasing (or tone mapping, without it) writes it, then the HUD
+    /// What is shown, of FrameView::shown_px(): anti-aliasing (or tone mapping, without it) writes it, then
+    /// the HUD.
+    TextureHandle backbuffer{};
 
+    /// Of all that is drawn but the backbuffer.
     [[nodiscard]] glm::uvec2 size_px() const { return frame.view.size_px; }
 };
 

@@ -134,7 +134,7 @@ RenderThread::~RenderThread() {
     state_->thread.join();
 }
 
-DeviceInfo RenderThread::device() {
+const DeviceInfo& RenderThread::device() {
     std::unique_lock lock{state_->mutex};
     state_->changed.wait(lock, [this] { return state_->failure || state_->device; });
     state_->rethrow();

@@ -41,7 +41,8 @@ struct FrameInput {
     bool complete_textures = false;
 };
 
-/// For each pixel the Instance::object of the nearest opaque or masked surface; what blends does not count.
+/// For each pixel drawn the Instance::object of the nearest opaque or masked surface; what blends does not
+/// count.
 struct ObjectImage {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
@@ -56,8 +57,10 @@ struct SurfaceImages {
 
 struct FrameOutput {
     systems::Feedback feedback;
-    std::optional<assets::Image> display;  ///< rgba8, sRGB, HUD included
-    std::optional<assets::Image> linear;   ///< rgba32f scene colour, exposure taken out, before bloom
+    std::optional<assets::Image> display;  ///< rgba8, sRGB, HUD included; of the size that is shown
+    /// rgba32f scene colour, exposure taken out, before bloom. This and what follows has the size that is
+    /// drawn, FrameView::size_px.
+    std::optional<assets::Image> linear;
     std::optional<assets::Image> glowing;  ///< the same as tone mapping finds it
     std::optional<ObjectImage> objects;
     std::optional<SurfaceImages> surfaces;  ///< only of the paths that have a G-buffer
@@ -74,8 +77,8 @@ public:
     RenderThread(const RenderThread&) = delete;
     RenderThread& operator=(const RenderThread&) = delete;
 
-    /// What draws. Waits until there is a context, not for the shaders.
-    [[nodiscard]] DeviceInfo device();
+    /// What draws; the same for as long as this lives. Waits until there is a context, not for the shaders.
+    [[nodiscard]] const DeviceInfo& device();
 
     /// Hands over the scene whose indices all later Frames use, and what was made of it; returns at once, and
     /// lets go of both when they are uploaded.

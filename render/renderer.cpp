@@ -160,12 +160,14 @@ struct Renderer::State {
     std::array<InFlight, k_max_in_flight> in_flight;  ///< a ring
     std::size_t first = 0;
     std::size_t count = 0;
-    std::uint64_t finished = 0;  ///< frames since the beginning, as the fences have told
+    std::uint64_t finished = 0;      ///< frames since the beginning, as the fences have told
+    std::uint32_t thickness_px = 1;  ///< of points and lines, as GL has been told
 
     void draw(const FrameInput& input, bool is_warm_up);
     void bring_textures(const FrameInput& input);
     void draw_passes(const FrameInput& input, InFlight& slot);
     void bind_frame(const FrameInput& input, float exposure);
+    void set_thickness(std::uint32_t pixels);
     [[nodiscard]] TextureHandle import_backbuffer(glm::uvec2 size, bool as_texture);
     [[nodiscard]] bool take_oldest(std::vector<FrameOutput>& outputs, bool wait);
     std::vector<FrameOutput> overtaken;  ///< finished because draw() had to wait
@@ -259,6 +261,7 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     const systems::CaptureRequest& wanted = frame.capture;
     const float exposure = std::exp2(input.settings.exposure.ev);
     bind_frame(input, exposure);
+    set_thickness(frame.view.samples);
     opaque.clear(DrawKind::shaded);
     opaque.add(scene, frame.opaque);
     opaque.upload(stream);
@@ -277,7 +280,7 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
                              .exposure = exposure,
                              .cut = input.cut || scene_is_new};
     const bool as_texture = context.headless() || wanted.display;
-    resources.backbuffer = import_backbuffer(frame.view.size_px, as_texture);
+    resources.backbuffer = import_backbuffer(frame.view.shown_px(), as_texture);
     scene_passes.add(graph, resources);
     slot.add_scene_captures(graph, resources);
     display_passes.add(graph, resources);
@@ -285,8 +288,8 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     slot.add_display_captures(graph, resources);
     graph.execute(input.timers);
     if (as_texture && !context.headless()) {
-        const auto width = static_cast<GLint>(frame.view.size_px.x);
-        const auto height = static_cast<GLint>(frame.view.size_px.y);
+        const auto width = static_cast<GLint>(frame.view.shown_px().x);
+        const auto height = static_cast<GLint>(frame.view.shown_px().y);
         glDisable(GL_FRAMEBUFFER_SRGB);
         glBlitNamedFramebuffer(backbuffer_reader.name(), 0, 0, 0, width, height, 0, 0, width, height,
                                GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -309,6 +312,14 @@ void Renderer::State::bind_frame(const FrameInput& input, float exposure) {
     using Lights = std::span<const systems::FrameLight>;
     stream.upload(Lights{frame.lights}, Lights{frame.directional_lights})
         .bind(GL_SHADER_STORAGE_BUFFER, BINDING_LIGHTS);
+}
+
+/// Points and lines are as thick as a pixel that is shown.
+void Renderer::State::set_thickness(std::uint32_t pixels) {
+    if (pixels == thickness_px) return;
+    thickness_px = pixels;
+    glPointSize(static_cast<GLfloat>(pixels));
+    glLineWidth(static_cast<GLfloat>(pixels));
 }
 
 TextureHandle Renderer::State::import_backbuffer(glm::uvec2 size, bool as_texture) {

@@ -163,6 +163,7 @@ std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Setting
                                        std::span<const std::uint32_t> fading) {
     std::vector<FrameInput> inputs;
     systems::Frame frame = warm_up_frame(scene, fading);
+    if (settings.anti_aliasing.method == AntiAliasing::ssaa) frame.view.samples = 2;
     const LightingParameters& lighting = settings.lighting;
     // Solids are drawn in another state where the eye is inside.
     if (lighting.path == LightingPath::volumes && lighting.volume == LightVolume::solid)

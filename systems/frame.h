@@ -20,8 +20,11 @@ struct FrameView {
     glm::mat4 clip_from_view{1.0f};
     glm::ivec3 eye_cell{0};
     glm::vec3 eye_local_m{0.0f};
-    glm::uvec2 size_px{0};
+    glm::uvec2 size_px{0};      ///< of what is drawn: `samples` times that of what is shown
+    std::uint32_t samples = 1;  ///< pixels drawn for one that is shown, across and down
     bool orthographic = false;
+
+    [[nodiscard]] glm::uvec2 shown_px() const { return size_px / samples; }
 };
 
 /// How a mesh is drawn: everything that needs another GL state. Index of the key's pipeline field.
@@ -128,9 +131,9 @@ struct FrameLight {
 /// Of Frame::texture_demand: nothing that the picture shows is textured with this image.
 inline constexpr std::uint8_t k_not_demanded = 255;
 
-/// Pixels that game asks for with this Frame.
+/// Pixels that game asks for with this Frame. All but `display` come as they are drawn, FrameView::size_px.
 struct CaptureRequest {
-    bool display = false;   ///< 8-bit sRGB, what the screen shows
+    bool display = false;   ///< 8-bit sRGB, what the screen shows, of FrameView::shown_px()
     bool linear = false;    ///< float, scene colour before anything that only displays want, such as bloom
     bool glowing = false;   ///< float, scene colour as tone mapping finds it
     bool objects = false;   ///< Instance::object of the nearest opaque surface

@@ -58,7 +58,8 @@ FrameView view_of(const Eye& eye, const WorldPosition& place) {
                                        : reversed_perspective(eye.vertical_fov_rad, aspect, eye.near_m);
     view.eye_cell = place.cell;
     view.eye_local_m = place.local_m;
-    view.size_px = eye.size_px;
+    view.size_px = eye.size_px * eye.samples;
+    view.samples = eye.samples;
     view.orthographic = orthographic;
     return view;
 }

@@ -29,8 +29,9 @@ struct Eye {
     float vertical_fov_rad = 1.0f;
     float half_height_m = 1.0f;  ///< orthographic
     float near_m = 0.05f;
-    float far_m = 1000.0f;  ///< orthographic only
-    glm::uvec2 size_px{960, 540};
+    float far_m = 1000.0f;         ///< orthographic only
+    glm::uvec2 size_px{960, 540};  ///< of what is shown
+    std::uint32_t samples = 1;     ///< pixels drawn for one that is shown, across and down; ≥ 1
 };
 
 /// What a system took when it last ran.

@@ -8,6 +8,7 @@
 #include "game/camera_path.h"
 #include "game/progress.h"
 #include "game/scene_cache.h"
+#include "game/supersampling.h"
 #include "systems/pipeline.h"
 
 namespace rambla::game::study {
@@ -21,20 +22,35 @@ std::shared_ptr<const assets::ProcessedScene> show(StudyContext& context, Stage&
     return scene;
 }
 
-render::FrameOutput draw(render::RenderThread& thread, Stage& stage, const PictureGrade& grade,
-                         const systems::Eye& eye, systems::CaptureRequest capture) {
+namespace {
+
+render::FrameOutput draw_one(render::RenderThread& thread, Stage& stage, const PictureGrade& grade,
+                             const systems::Eye& eye, bool cut, systems::CaptureRequest capture) {
     render::FrameInput& input = thread.begin();
-    systems::build_frame(*stage.world, eye, 1.0f, input.frame);
+    systems::build_frame(*stage.world, sampled(eye, grade.settings.anti_aliasing, thread.device()), 1.0f,
+                         input.frame);
     if (grade.change) grade.change(input.frame);
     input.frame.capture = capture;
     input.settings = grade.settings;
     input.settings.exposure.ev = stage.exposure_ev;
     input.timers = render::PassTimers::alone;
-    input.cut = !grade.follows;
+    input.cut = cut;
     input.complete_textures = true;
     thread.submit();
     thread.finish();
     return std::move(thread.collect().back());
+}
+
+}  // namespace
+
+render::FrameOutput draw(render::RenderThread& thread, Stage& stage, const PictureGrade& grade,
+                         const systems::Eye& eye, systems::CaptureRequest capture) {
+    bool cut = !grade.follows;
+    for (std::uint32_t i = 0; i < grade.frames_before; ++i) {
+        static_cast<void>(draw_one(thread, stage, grade, eye, cut, {}));
+        cut = false;
+    }
+    return draw_one(thread, stage, grade, eye, cut, capture);
 }
 
 std::vector<PictureCost> draw_in_turns(StudyContext& context, Stage& stage,

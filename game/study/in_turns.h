@@ -20,6 +20,8 @@ struct PictureGrade {
     std::function<void(systems::Frame&)> change{};
     bool follows =
         false;  ///< the picture drawn before, as in a film; else pictures know nothing of each other
+    /// Drawn of the same moment before each picture, for what takes from earlier ones.
+    std::uint32_t frames_before = 0;
 };
 
 /// What a grade told of each round.
@@ -31,7 +33,8 @@ struct PictureCost {
 /// @return  what was made of it
 std::shared_ptr<const assets::ProcessedScene> show(StudyContext& context, Stage& stage);
 
-/// Draws one picture, each pass timed alone, and waits for it. The Frame's steps are the newest.
+/// Draws one picture, each pass timed alone, and waits for it; before it, those that the grade wants before.
+/// The Frame's steps are the newest.
 [[nodiscard]] render::FrameOutput draw(render::RenderThread& thread, Stage& stage, const PictureGrade& grade,
                                        const systems::Eye& eye, systems::CaptureRequest capture = {});
 

@@ -72,10 +72,10 @@ void count_calls() {
              &glInvalidateNamedFramebufferData, &glMultiDrawElementsIndirect>();
     take_all<CallKind::bind, &glBindBuffer, &glBindBufferBase, &glBindBufferRange, &glBindBuffersBase,
              &glBindFramebuffer, &glBindSampler, &glBindSamplers, &glBindTextureUnit, &glBindTextures,
-             &glBindVertexArray, &glUniform4f, &glUseProgram>();
+             &glBindVertexArray, &glUniform1i, &glUniform2i, &glUniform4f, &glUseProgram>();
     take_all<CallKind::state, &glBlendFunc, &glBlendFunci, &glClipControl, &glColorMask, &glCullFace,
-             &glDepthFunc, &glDepthMask, &glDisable, &glEnable, &glFrontFace, &glPixelStorei, &glScissor,
-             &glViewport>();
+             &glDepthFunc, &glDepthMask, &glDisable, &glEnable, &glFrontFace, &glLineWidth, &glPixelStorei,
+             &glPointSize, &glScissor, &glViewport>();
     take_all<CallKind::transfer, &glCompressedTextureSubImage2D, &glCopyImageSubData,
              &glCopyNamedBufferSubData, &glGetTextureImage, &glMapNamedBufferRange, &glNamedBufferSubData,
              &glTextureSubImage2D, &glUnmapNamedBuffer>();

@@ -20,6 +20,7 @@
 #include "render/post/fxaa.h"
 #include "render/post/hud.h"
 #include "render/post/luminance.h"
+#include "render/post/supersampling.h"
 #include "render/post/tonemap.h"
 #include "render/shadow/focused.h"
 #include "render/shadow/result.h"
@@ -64,13 +65,14 @@ using ScenePasses = PassList<DepthPrePass,           //
                              BlendPass>;
 
 /// From scene colour to what is shown.
-using DisplayPasses = PassList<LuminancePass,  //
-                               ExposurePass,   //
-                               BloomPass,      //
-                               CoronaPass,     //
-                               TonemapPass,    //
-                               FxaaPass,       //
-                               DebugViewPass,  //
+using DisplayPasses = PassList<LuminancePass,      //
+                               ExposurePass,       //
+                               BloomPass,          //
+                               CoronaPass,         //
+                               TonemapPass,        //
+                               FxaaPass,           //
+                               SupersamplingPass,  //
+                               DebugViewPass,      //
                                HudPass>;
 
 }  // namespace rambla::render

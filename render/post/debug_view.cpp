@@ -9,6 +9,8 @@
 namespace rambla::render {
 namespace {
 
+constexpr GLint k_samples = 0;  // location in debug_view.frag.glsl
+
 /// The texture that a view is made from; invalid where the frame has none.
 TextureHandle shown(const FrameResources& resources, DebugView view) {
     switch (view) {
@@ -122,6 +124,7 @@ void DebugViewPass::add(RenderGraph& graph, FrameResources& resources) {
             }
             glDisable(GL_FRAMEBUFFER_SRGB);
             show.use();
+            glUniform1i(k_samples, static_cast<GLint>(resources.frame.view.samples));
             context.draw_full_screen();
         });
 }

@@ -8,9 +8,11 @@
 namespace rambla::render {
 namespace {
 
-/// Whether a pass that smooths edges comes after this one, and reads `display`.
-bool is_smoothed(const AntiAliasingParameters& parameters) {
-    return parameters.method != AntiAliasing::none;
+/// Whether a later pass smooths the tone-mapped picture on its way to the backbuffer.
+bool is_smoothed(const FrameResources& resources) {
+    const AntiAliasing method = resources.settings.anti_aliasing.method;
+    if (method == AntiAliasing::ssaa) return resources.frame.view.samples > 1;
+    return method != AntiAliasing::none;
 }
 
 shared::TonemapConstants constants_of(const FrameResources& resources, bool smoothed) {
@@ -43,7 +45,7 @@ const gl::Program& TonemapPass::program(const Variant& v) {
 
 void TonemapPass::add(RenderGraph& graph, FrameResources& resources) {
     const ToneParameters& tone = resources.settings.tone;
-    const bool smoothed = is_smoothed(resources.settings.anti_aliasing);
+    const bool smoothed = is_smoothed(resources);
     const bool adapted = resources.adapted_exposure.valid();
     const gl::Program& curve = program({.curve = tone.curve,
                                         .on_luminance = tone.on == ToneOn::luminance,

@@ -19,14 +19,17 @@ layout(binding = UNIT_PASS + 1) uniform usampler2D source;
 layout(binding = UNIT_PASS + 1) uniform sampler2D source;
 #endif
 
+layout(location = 0) uniform int samples;  ///< pixels drawn for one that is shown, across and down
+
 layout(location = 0) out vec4 out_display;
 
 const float k_steps_shown = 8.0;   ///< lights or layers that are drawn in full red
 const float k_depth_scale_m = 20.0;  ///< this far away is middle grey
 const float k_stops_shown = 8.0;   ///< of luminance, to either side of white under the noon sun
 
+/// Of those drawn for the one that is shown, the middle one.
 ivec2 pixel() {
-    return ivec2(gl_FragCoord.xy);
+    return ivec2(gl_FragCoord.xy) * samples + samples / 2;
 }
 
 float seen_depth() {
@@ -110,7 +113,7 @@ vec3 view_tiles() {
     vec3 colour = lights == 0u ? vec3(0.15, 0.45, 0.2) : mix(vec3(0.5, 0.3, 0.1), vec3(1.0, 0.3, 0.1),
                                                              min(float(lights) / k_steps_shown, 1.0));
     uvec2 within = uvec2(pixel()) % tile_grid.cells.w;
-    bool rim = within.x == 0u || within.y == 0u;
+    bool rim = any(lessThan(within, uvec2(samples)));
     return (seen_depth() > 0.0 ? colour : vec3(0.1, 0.2, 0.5)) * (rim ? 0.5 : 1.0);
 #else
     return vec3(0.0);
@@ -136,7 +139,8 @@ vec3 view_nonfinite() {
 
 void main() {
 #if MISSING
-    bool stripe = (pixel().x + pixel().y) / 16 % 2 == 0;
+    ivec2 shown = pixel() / samples;
+    bool stripe = (shown.x + shown.y) / 16 % 2 == 0;
     out_display = vec4(vec3(stripe ? 0.35 : 0.3), 1.0);
 #else
     out_display = vec4(VIEW(), 1.0);

@@ -17,13 +17,14 @@ namespace rambla::tests {
 
 /// A picture with its origin in the upper left corner.
 struct Picture {
-    glm::uvec2 size{0};
-    std::vector<glm::vec4> linear;    ///< scene colour, exposure taken out
+    glm::uvec2 size{0};               ///< of what is shown
+    glm::uvec2 drawn{0};              ///< of what is drawn: another when pictures are supersampled
+    std::vector<glm::vec4> linear;    ///< scene colour as it is drawn, exposure taken out
     std::vector<std::uint8_t> bytes;  ///< display, RGBA
     systems::Feedback feedback;
 
     [[nodiscard]] glm::vec3 radiance(std::uint32_t x, std::uint32_t y) const {
-        return glm::vec3{linear[y * size.x + x]};
+        return glm::vec3{linear[y * drawn.x + x]};
     }
     [[nodiscard]] glm::ivec3 display(std::uint32_t x, std::uint32_t y) const {
         const std::uint8_t* texel = &bytes[4 * (std::size_t{y} * size.x + x)];
@@ -289,8 +290,9 @@ private:
     [[nodiscard]] static Picture take(const render::FrameOutput& output) {
         Picture picture;
         picture.feedback = output.feedback;
-        picture.size = {output.linear->width, output.linear->height};
-        picture.linear.resize(std::size_t{picture.size.x} * picture.size.y);
+        picture.size = {output.display->width, output.display->height};
+        picture.drawn = {output.linear->width, output.linear->height};
+        picture.linear.resize(std::size_t{picture.drawn.x} * picture.drawn.y);
         std::memcpy(picture.linear.data(), output.linear->texels.data(), output.linear->texels.size());
         picture.bytes.resize(output.display->texels.size());
         std::memcpy(picture.bytes.data(), output.display->texels.data(), picture.bytes.size());

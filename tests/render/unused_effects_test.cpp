@@ -98,6 +98,18 @@ TEST(UnusedEffects, LeaveTheFrameAsItWasToTheCallAndTheByte) {
         "estimated curve", [&] { settings.tone = {.curve = render::ToneCurve::extended, .estimate = true}; },
         [&] { settings.tone = {}; });
     changes_and_comes_back(
+        "supersampling",
+        [&] {
+            settings.anti_aliasing.method = render::AntiAliasing::ssaa;
+            stage.frame.view.samples = 2;
+            stage.frame.view.size_px *= 2u;
+        },
+        [&] {
+            settings.anti_aliasing.method = render::AntiAliasing::fxaa;
+            stage.frame.view.samples = 1;
+            stage.frame.view.size_px /= 2u;
+        });
+    changes_and_comes_back(
         "overdraw", [&] { settings.debug.view = render::DebugView::overdraw; },
         [&] { settings.debug.view = render::DebugView::off; });
 }

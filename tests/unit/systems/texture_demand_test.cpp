@@ -222,6 +222,19 @@ TEST(TextureDemand, OfAFrameIsWhatLookingFinds) {
     EXPECT_EQ(textured.demand_of_frame(eye_of({640, 480})), textured.demand(eye_of({640, 480})));
 }
 
+TEST(TextureDemand, OfASupersampledFrameIsThatOfThePictureThatIsDrawn) {
+    Textured textured{square()};
+    textured.place(glm::mat3{1.0f}, {0, 0, -5});
+    Eye eye = eye_of({160, 120});
+    const std::uint8_t of_shown = textured.demand_of_frame(eye);
+    eye.samples = 4;
+    const std::uint8_t of_drawn = textured.demand_of_frame(eye);
+    EXPECT_EQ(textured.frame.view.size_px, (glm::uvec2{640, 480}));
+    EXPECT_EQ(textured.frame.view.shown_px(), eye.size_px);
+    EXPECT_EQ(of_drawn, textured.demand(eye_of({640, 480})));
+    EXPECT_EQ(of_drawn + 2, of_shown) << "four times as fine";
+}
+
 TEST(TextureDemand, FollowsTheNearestInstanceItsScaleAndTheSizeOfThePicture) {
     Textured textured{square()};
     textured.place(glm::mat3{1.0f}, {0, 0, -100});
