@@ -2,9 +2,8 @@
 
 namespace rambla::render {
 
-shared::FrameUniforms make_frame_uniforms(const systems::Frame& frame, float exposure,
-                                          const DetailParameters& detail) {
-    const systems::FrameView& view = frame.view;
+shared::FrameUniforms make_frame_uniforms(const systems::Frame& frame, const systems::FrameView& view,
+                                          float exposure, const DetailParameters& detail) {
     const glm::mat4& p = view.clip_from_view;
     const assets::Environment& light = frame.environment;
     const glm::vec2 size{view.size_px};

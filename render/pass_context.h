@@ -9,6 +9,7 @@
 #include "render/passes/light_bins.h"
 #include "render/scene_store.h"
 #include "render/settings.h"
+#include "render/temporal_history.h"
 #include "systems/frame.h"
 
 namespace rambla::render {
@@ -57,6 +58,8 @@ struct LuminanceSums {
 /// something optional.
 struct FrameResources {
     const systems::Frame& frame;
+    const systems::FrameView&
+        view;  ///< as it is drawn: the Frame's, shifted by the jitter where there is any
     const Settings& settings;
     const SceneStore& scene;
     const PassSamplers& samplers;
@@ -66,6 +69,9 @@ struct FrameResources {
     DrawCounts& counts;       ///< each pass adds what it drew
     float exposure = 1.0f;    ///< pre-exposure factor, as in the frame uniforms
     bool cut = false;         ///< FrameInput::cut, or there is no frame before
+
+    const TemporalFrame* temporal = nullptr;  ///< only with temporal anti-aliasing
+    gl::BufferRange temporal_constants{};     ///< shared::TemporalConstants of it
 
     std::span<const BoundedLight>
         bounded_lights{};  ///< those of the Frame's lights that can touch the picture
@@ -79,7 +85,8 @@ struct FrameResources {
     TextureHandle emission{};     ///< G-buffer; only when frame.needs_emission
     TextureHandle position{};     ///< G-buffer; only in the wide layout
     TextureHandle tangent{};      ///< G-buffer; only in the wide layout
-    TextureHandle objects{};      ///< GL_R32UI: Instance::object + 1, 0 for none; only where asked for
+    TextureHandle motion{};   ///< GL_RG16F, pixels (motion.glsl); only where something moved, for `temporal`
+    TextureHandle objects{};  ///< GL_R32UI: Instance::object + 1, 0 for none; only where asked for
     TextureHandle
         read_positions{};           ///< GL_RGBA32F: what lighting reads of the G-buffer; only where asked for
     TextureHandle read_normals{};   ///< GL_RGBA32F: the same

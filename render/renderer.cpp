@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "assets/assert.h"
@@ -21,6 +22,7 @@
 #include "render/shaders/shared/deformation.h"
 #include "render/shaders/shared/instance.h"
 #include "render/shaders/shared/light.h"
+#include "render/temporal_history.h"
 #include "render/warm_up.h"
 
 namespace rambla::render {
@@ -152,10 +154,11 @@ struct Renderer::State {
     DrawList opaque;
     DrawList blended;
     DrawCounts counts;
-    bool scene_is_new = true;           ///< no frame has shown it
-    gl::CallCounts calls_before;        ///< at the end of the last frame
-    gl::Texture backbuffer;             ///< where pixels are wanted back, or no window is
-    gl::Framebuffer backbuffer_reader;  ///< to copy it to the window
+    std::optional<TemporalHistory> temporal;  ///< only with temporal anti-aliasing
+    bool continues = false;                   ///< the next frame shows the scene of the last one
+    gl::CallCounts calls_before;              ///< at the end of the last frame
+    gl::Texture backbuffer;                   ///< where pixels are wanted back, or no window is
+    gl::Framebuffer backbuffer_reader;        ///< to copy it to the window
 
     std::array<InFlight, k_max_in_flight> in_flight;  ///< a ring
     std::size_t first = 0;
@@ -166,8 +169,9 @@ struct Renderer::State {
     void draw(const FrameInput& input, bool is_warm_up);
     void bring_textures(const FrameInput& input);
     void draw_passes(const FrameInput& input, InFlight& slot);
-    void bind_frame(const FrameInput& input, float exposure);
     void set_thickness(std::uint32_t pixels);
+    [[nodiscard]] const TemporalFrame* follow(const FrameInput& input, float exposure, bool cut);
+    void bind_frame(const FrameInput& input, FrameResources& resources);
     [[nodiscard]] TextureHandle import_backbuffer(glm::uvec2 size, bool as_texture);
     [[nodiscard]] bool take_oldest(std::vector<FrameOutput>& outputs, bool wait);
     std::vector<FrameOutput> overtaken;  ///< finished because draw() had to wait
@@ -181,10 +185,11 @@ Renderer::~Renderer() = default;
 void Renderer::upload(const assets::Scene& scene, const assets::ProcessedScene& processed,
                       std::shared_ptr<assets::LevelSource> source, std::span<const std::uint32_t> fading) {
     state_->scene.upload(processed, std::move(source));
-    state_->scene_is_new = true;
+    state_->continues = false;
     if (!state_->compile_ahead) return;
     for (const FrameInput& input : warm_up_frames(scene, state_->compile_for, fading))
         state_->draw(input, true);
+    state_->continues = false;
 }
 
 void Renderer::draw(const FrameInput& input) {
@@ -217,7 +222,6 @@ void Renderer::State::draw(const FrameInput& input, bool is_warm_up) {
     if (!is_warm_up) bring_textures(input);
     if (size.x > 0 && size.y > 0) {  // a minimised window has no pixels
         draw_passes(input, slot);
-        scene_is_new = scene_is_new && is_warm_up;
     } else {
         graph.execute();
     }
@@ -260,8 +264,9 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     const systems::Frame& frame = input.frame;
     const systems::CaptureRequest& wanted = frame.capture;
     const float exposure = std::exp2(input.settings.exposure.ev);
-    bind_frame(input, exposure);
     set_thickness(frame.view.samples);
+    const bool cut = input.cut || !std::exchange(continues, true);
+    const TemporalFrame* const followed = follow(input, exposure, cut);
     opaque.clear(DrawKind::shaded);
     opaque.add(scene, frame.opaque);
     opaque.upload(stream);
@@ -270,6 +275,7 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     blended.upload(stream);
 
     FrameResources resources{.frame = frame,
+                             .view = followed != nullptr ? followed->view : frame.view,
                              .settings = input.settings,
                              .scene = scene,
                              .samplers = samplers,
@@ -278,7 +284,9 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
                              .blended = blended,
                              .counts = counts,
                              .exposure = exposure,
-                             .cut = input.cut || scene_is_new};
+                             .cut = cut,
+                             .temporal = followed};
+    bind_frame(input, resources);
     const bool as_texture = context.headless() || wanted.display;
     resources.backbuffer = import_backbuffer(frame.view.shown_px(), as_texture);
     scene_passes.add(graph, resources);
@@ -297,16 +305,33 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     if (input.draw_graph) slot.output.graph_svg = graph.svg();
 }
 
-void Renderer::State::bind_frame(const FrameInput& input, float exposure) {
+const TemporalFrame* Renderer::State::follow(const FrameInput& input, float exposure, bool cut) {
+    if (!is_temporal(input.settings)) {
+        temporal.reset();
+        return nullptr;
+    }
+    if (!temporal) temporal.emplace();
+    return &temporal->follow(input.frame, exposure, !cut);
+}
+
+void Renderer::State::bind_frame(const FrameInput& input, FrameResources& resources) {
     const systems::Frame& frame = input.frame;
-    stream.upload_value(make_frame_uniforms(frame, exposure, input.settings.detail))
+    static const MovedThings k_none_moved;
+    if (resources.temporal != nullptr) {
+        resources.temporal_constants =
+            stream.upload_value(make_temporal_constants(*resources.temporal, input.settings.anti_aliasing));
+    }
+    const MovedThings& moved = resources.temporal != nullptr ? *resources.temporal->moved : k_none_moved;
+    stream.upload_value(make_frame_uniforms(frame, resources.view, resources.exposure, input.settings.detail))
         .bind(GL_UNIFORM_BUFFER, BINDING_FRAME_UNIFORMS);
-    stream.upload(std::span<const systems::Instance>{frame.instances})
+    stream
+        .upload(std::span<const systems::Instance>{frame.instances},
+                std::span<const systems::Instance>{moved.instances})
         .bind(GL_SHADER_STORAGE_BUFFER, BINDING_INSTANCES);
     scene.materials().bind(GL_SHADER_STORAGE_BUFFER, BINDING_MATERIALS);
-    stream.upload(std::span<const systems::JointMatrix>{frame.joints})
+    stream.upload(std::span<const systems::JointMatrix>{frame.joints}, moved.joints)
         .bind(GL_SHADER_STORAGE_BUFFER, BINDING_JOINTS);
-    stream.upload(std::span<const systems::MorphTerm>{frame.morphs})
+    stream.upload(std::span<const systems::MorphTerm>{frame.morphs}, moved.morphs)
         .bind(GL_SHADER_STORAGE_BUFFER, BINDING_MORPH_TERMS);
     scene.morphs().bind(GL_SHADER_STORAGE_BUFFER, BINDING_MORPHS);
     using Lights = std::span<const systems::FrameLight>;

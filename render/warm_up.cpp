@@ -157,6 +157,21 @@ systems::Frame warm_up_frame(const assets::Scene& scene, std::span<const std::ui
     return frame;
 }
 
+/// Less than a cut, and more than rest.
+constexpr float k_step_m = 0.01f;
+
+/// Temporal anti-aliasing has programs for pictures in which the camera moves, things do, or both. Without a
+/// past it counts as moved, and so does every thing that stays before an eye that moves.
+void add_moving_frames(std::vector<FrameInput>& inputs) {
+    inputs.push_back(inputs.back());
+    inputs.back().frame.view.eye_local_m.x += k_step_m;
+    inputs.push_back(inputs.back());
+    for (systems::Instance& instance : inputs.back().frame.instances)
+        instance.row0.w += k_step_m;
+    for (systems::JointMatrix& joint : inputs.back().frame.joints)
+        joint.row0.w += k_step_m;
+}
+
 }  // namespace
 
 std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Settings& settings,
@@ -182,6 +197,7 @@ std::vector<FrameInput> warm_up_frames(const assets::Scene& scene, const Setting
             inputs.push_back(std::move(input));
         }
     }
+    if (settings.anti_aliasing.method == AntiAliasing::taa) add_moving_frames(inputs);
     return inputs;
 }
 

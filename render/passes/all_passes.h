@@ -9,6 +9,7 @@
 #include "render/passes/light_lists.h"
 #include "render/passes/light_volumes.h"
 #include "render/passes/lighting.h"
+#include "render/passes/motion_vectors.h"
 #include "render/passes/object_ids.h"
 #include "render/passes/sky.h"
 #include "render/passes/solid_light_volumes.h"
@@ -21,6 +22,7 @@
 #include "render/post/hud.h"
 #include "render/post/luminance.h"
 #include "render/post/supersampling.h"
+#include "render/post/temporal_anti_aliasing.h"
 #include "render/post/tonemap.h"
 #include "render/shadow/focused.h"
 #include "render/shadow/result.h"
@@ -60,9 +62,11 @@ using ScenePasses = PassList<DepthPrePass,           //
                              SolidLightVolumesPass,  //
                              ForwardPass,            //
                              ObjectIdsPass,          //
+                             MotionVectorsPass,      //
                              SurfaceCapturePass,     //
                              SkyPass,                //
-                             BlendPass>;
+                             BlendPass,              //
+                             TemporalAntiAliasingPass>;
 
 /// From scene colour to what is shown.
 using DisplayPasses = PassList<LuminancePass,      //

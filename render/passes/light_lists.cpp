@@ -37,7 +37,7 @@ gl::BufferRange LightListsPass::upload_cells(gl::StreamBuffer& stream, const Lig
 }
 
 void LightListsPass::add(RenderGraph& graph, FrameResources& resources) {
-    bound_lights(resources.frame.view, resources.frame.lights, bounded_);
+    bound_lights(resources.view, resources.frame.lights, bounded_);
     resources.bounded_lights = bounded_;
     if (wants_cells(resources)) make_cells(resources);
     if (resources.settings.lighting.path == LightingPath::tiled && !bounded_.empty())

@@ -56,7 +56,7 @@ void LightVolumesPass::make_rectangles(const FrameResources& resources) {
         rectangles_.push_back({.ndc = {bounds.min, bounds.max},
                                .depth = bounds.depth,
                                .light = light.light,
-                               .near_depth = depth_at(resources.frame.view, bounds.nearest_m),
+                               .near_depth = depth_at(resources.view, bounds.nearest_m),
                                .padding0 = 0});
     }
 }

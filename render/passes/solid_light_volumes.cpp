@@ -72,7 +72,7 @@ void SolidLightVolumesPass::make_groups(const FrameResources& resources) {
         group.hulls.clear();
     for (const BoundedLight& light : resources.bounded_lights) {
         const Hull hull = light_hull(resources.frame.lights[light.light], light.light);
-        const bool cut = reaches_near_plane(resources.frame.view, hull);
+        const bool cut = reaches_near_plane(resources.view, hull);
         groups_[2 * static_cast<std::size_t>(hull.shape) + (cut ? 1 : 0)].hulls.push_back(hull.place);
     }
     for (Group& group : groups_)
@@ -103,7 +103,7 @@ void SolidLightVolumesPass::add(RenderGraph& graph, FrameResources& resources) {
             glEnable(GL_DEPTH_TEST);
             glEnable(GL_CULL_FACE);
             // What lies before a back face beyond the far plane is in reach; a perspective has no such plane.
-            if (resources.frame.view.orthographic) glEnable(GL_DEPTH_CLAMP);
+            if (resources.view.orthographic) glEnable(GL_DEPTH_CLAMP);
             if (queries) test_each();
             glEnable(GL_BLEND);
             glBlendFunc(GL_ONE, GL_ONE);

@@ -21,7 +21,7 @@ struct AntiAliasingParameters {
     AntiAliasingQuality quality = AntiAliasingQuality::medium;
     bool everywhere = false;
     int samples = 4;
-    float history = 0.9f;
+    float history = 0.95f;
     bool clamp = true;
 };
 inline constexpr std::array<std::string_view, 7> k_anti_aliasing_methods{

@@ -1,6 +1,10 @@
-// Vertices of all passes that draw the scene's surfaces for an eye. Defines: those of material.glsl and deform.glsl.
+// Vertices of all passes that draw the scene's surfaces for an eye. Defines: those of material.glsl and deform.glsl; MOTION:
+// also where they were in the picture before.
 #include "frame.glsl"
 #include "deform.glsl"
+#ifdef MOTION
+#include "motion.glsl"
+#endif
 
 layout(location = ATTRIBUTE_POSITION) in vec3 local_position;
 layout(location = ATTRIBUTE_NORMAL) in vec3 local_normal;
@@ -40,6 +44,12 @@ void main() {
     varyings.opacity = instance_opacity(instance);
 #ifdef OBJECTS
     varyings.object = instance.object;
+#endif
+#ifdef MOTION
+    Instance was = skinned(instances[uint(gl_BaseInstanceARB + gl_InstanceID) + temporal.counts.x]);
+    vec3 past_position = local_position;
+    morph(was, past_position);
+    varyings.past_clip = temporal.past_clip_from_world * vec4(world_from_local(was, past_position), 1.0);
 #endif
     Material m = materials[varyings.material];
     varyings.base_colour_uv = transformed_uv(m.base_colour_uv, uv0, uv1);

@@ -13,6 +13,9 @@ VARYING MeshVaryings {
 #ifdef OBJECTS
     flat uint object;
 #endif
+#ifdef MOTION
+    vec4 past_clip;
+#endif
     vec2 base_colour_uv;
 #if DETAIL >= 1
     vec2 metalness_roughness_uv;

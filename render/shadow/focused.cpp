@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/jitter.h"
 #include "render/shaders/shared/bindings.h"
 #include "render/shaders/shared/sun_shadow.h"
 #include "systems/look/cull_kernel.h"
@@ -11,6 +12,9 @@ namespace {
 
 /// Last share of the shadow distance, over which shadows fade.
 constexpr float k_fade_share = 0.1f;
+/// Pixels show what lies up to that far beyond the picture's rim where it is shifted by a jitter; the map
+/// does not follow the jitter, or resting shadows would not rest.
+constexpr float k_jitter_border_px = 0.5f;
 /// A caster's depth is that of its texel's centre: half a texel aside, for surfaces that nearly face the sun.
 constexpr float k_towards_sun_texels = 0.5f;
 
@@ -74,12 +78,15 @@ void FocusedShadowPass::add(RenderGraph& graph, FrameResources& resources) {
     if (parameters.method == ShadowMethod::off || !sun) return;
 
     const auto size = static_cast<std::uint32_t>(parameters.size_texels);
-    const shadow::SunFit fit = shadow::fit_sun_map({.view = resources.frame.view,
-                                                    .direction_to_sun = environment.direction_to_sun,
-                                                    .distance_m = parameters.distance_m,
-                                                    .receivers = resources.frame.visible,
-                                                    .size_texels = size},
-                                                   resources.frame.casters);
+    const systems::FrameView& view = resources.frame.view;
+    const bool jittered = resources.temporal != nullptr;
+    const shadow::SunFit fit =
+        shadow::fit_sun_map({.view = jittered ? widened(view, k_jitter_border_px) : view,
+                             .direction_to_sun = environment.direction_to_sun,
+                             .distance_m = parameters.distance_m,
+                             .receivers = resources.frame.visible,
+                             .size_texels = size},
+                            resources.frame.casters);
     if (fit.empty) return;
     cull_casters(resources.frame.casters, fit);
     if (rows_.empty()) return;

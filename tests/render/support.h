@@ -160,8 +160,17 @@ public:
         return take(draw_uploaded(true));
     }
 
-    /// Draws once more what draw() has uploaded, without taking pictures.
+    /// Draws once more what draw() has uploaded: the next frame of the same scene.
+    [[nodiscard]] Picture draw_next() { return take(draw_uploaded(true)); }
+
+    /// The same without taking pictures.
     [[nodiscard]] systems::Feedback redraw() { return draw_uploaded(false).feedback; }
+
+    /// The Frame of what stands in the world now.
+    [[nodiscard]] const systems::Frame& packed() {
+        pack();
+        return frame;
+    }
 
     assets::Scene scene;
     std::vector<Thing> things;

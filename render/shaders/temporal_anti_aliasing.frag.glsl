@@ -1,0 +1,147 @@
+// The picture as the mean of this one and earlier ones, found again where what is seen now was then.
+// Defines: REPROJECT: the camera moved, or there is no past; MOTION: things moved; CLAMP: earlier colours are kept within
+// those around the pixel now. Where neither camera nor things moved, a pixel's past is the pixel itself.
+#include "motion.glsl"
+#include "temporal.glsl"
+
+layout(binding = UNIT_PASS) uniform sampler2D scene_colour;
+layout(binding = UNIT_PASS + 1) uniform sampler2D history;  ///< linear; alpha: see temporal.glsl
+layout(binding = UNIT_PASS + 2) uniform sampler2D depth_target;
+layout(binding = UNIT_PASS + 3) uniform sampler2D motion_target;
+
+layout(location = 0) out vec4 out_history;
+layout(location = 1) out vec4 out_radiance;
+
+vec3 present_at(ivec2 pixel) {
+    return compressed(storable_radiance(texelFetch(scene_colour, pixel, 0).rgb));
+}
+
+struct Present {
+    vec3 colour;
+    ColourBox around;
+};
+
+Present present(ivec2 pixel) {
+    Present p;
+    p.colour = present_at(pixel);
+#if CLAMP
+    vec3 low = p.colour, high = p.colour, sum = p.colour, sum2 = p.colour * p.colour;
+    ivec2 last = ivec2(frame.size_px.xy) - 1;
+    for (int i = 0; i < 9; ++i) {
+        if (i == 4) continue;
+        vec3 c = present_at(clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last));
+        low = min(low, c);
+        high = max(high, c);
+        sum += c;
+        sum2 += c * c;
+    }
+    p.around = colour_box(low, high, sum, sum2);
+#endif
+    return p;
+}
+
+#if REPROJECT || MOTION
+/// Nearest of the pixels around one: edges move with what is before them (Karis 2014).
+struct Nearest {
+    ivec2 pixel;
+    float depth;
+    float slope;  ///< difference to the farthest
+};
+
+Nearest nearest(ivec2 pixel) {
+    ivec2 last = ivec2(frame.size_px.xy) - 1;
+    float depth = texelFetch(depth_target, pixel, 0).x;
+    Nearest found = Nearest(pixel, depth, depth);
+    float farthest = depth;
+    for (int i = 0; i < 9; ++i) {
+        if (i == 4) continue;
+        ivec2 at = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last);
+        float d = texelFetch(depth_target, at, 0).x;
+        farthest = min(farthest, d);
+        if (d > found.depth) found = Nearest(at, d, 0.0);
+    }
+    found.slope = found.depth - farthest;
+    return found;
+}
+
+/// Five taps of the bilinear filter for the sixteen of the cubic: corners weigh next to nothing (Jimenez 2016, "Filmic SMAA").
+vec3 sample_history(vec2 place_px) {
+    vec2 middle = floor(place_px - 0.5) + 0.5;
+    vec2 t = place_px - middle;
+    vec4 x = catmull_rom(t.x), y = catmull_rom(t.y);
+    vec2 inner = vec2(x.y + x.z, y.y + y.z);
+    vec2 at = (middle + vec2(x.z, y.z) / inner) * frame.size_px.zw;
+    vec2 before = (middle - 1.0) * frame.size_px.zw, behind = (middle + 2.0) * frame.size_px.zw;
+    float weights[5] = float[](inner.x * inner.y, x.x * inner.y, x.w * inner.y, inner.x * y.x, inner.x * y.w);
+    vec2 places[5] = vec2[](at, vec2(before.x, at.y), vec2(behind.x, at.y), vec2(at.x, before.y), vec2(at.x, behind.y));
+    vec3 sum = vec3(0.0);
+    float weight = 0.0;
+    for (int i = 0; i < 5; ++i) {
+        sum += weights[i] * compressed(temporal.history.y * textureLod(history, places[i], 0.0).rgb);
+        weight += weights[i];
+    }
+    return sum / weight;
+}
+#endif
+
+struct Past {
+    vec3 colour;
+    float depth;     ///< to be kept
+    uint pictures;  ///< 0: nothing is known
+};
+
+#if REPROJECT || MOTION
+Past past(ivec2 pixel) {
+    Nearest near = nearest(pixel);
+    vec2 near_px = vec2(near.pixel) + 0.5;
+    vec2 motion = vec2(0.0);
+    float should_be = near.depth;
+    float slack = k_kept_depth_slack;
+#if REPROJECT
+    vec4 then = temporal.past_from_present * vec4(2.0 * near_px * frame.size_px.zw - 1.0, near.depth, 1.0);
+    motion = motion_px(near_px, then);
+    should_be = then.z / then.w;
+#endif
+#if MOTION
+    vec2 own_motion = texelFetch(motion_target, near.pixel, 0).xy;
+    if (!is_at_rest(own_motion)) {
+        motion = own_motion;
+        // Its depth then is not known, and things come closer by a few per cent from picture to picture.
+        const float closer = 0.2;
+        should_be = near.depth;
+        slack += closer;
+    }
+#endif
+    vec2 place_px = gl_FragCoord.xy - motion;
+    bool is_inside = all(greaterThanEqual(place_px, vec2(0.0))) && all(lessThan(place_px, frame.size_px.xy));
+    if (!is_inside) place_px = gl_FragCoord.xy;
+    Kept was = unkept(texelFetch(history, ivec2(place_px), 0).a);
+    bool is_known = is_inside && !was_hidden(was.depth, should_be, near.slope, slack);
+    return Past(sample_history(place_px), near.depth, is_known ? was.pictures : 0u);
+}
+#else
+Past past(ivec2 pixel) {
+    vec4 texel = texelFetch(history, pixel, 0);
+    Kept was = unkept(texel.a);
+    return Past(compressed(temporal.history.y * texel.rgb), was.depth, was.pictures);
+}
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Present now = present(pixel);
+    Past before = past(pixel);
+    vec3 colour = now.colour;
+    // False for what is no number, which would stay for ever; compressed lumas lie in [0, 1).
+    bool is_number = before.colour.x > -1.0 && abs(before.colour.y) + abs(before.colour.z) < 4.0;
+    uint pictures = temporal.history.z > 0.0 && is_number ? before.pictures : 0u;
+    if (pictures > 0u) {
+#if CLAMP
+        before.colour = clamp(before.colour, now.around.low, now.around.high);
+#endif
+        float share = max(1.0 / float(pictures + 1u), temporal.history.x);
+        colour = mix(before.colour, colour, share);
+    }
+    out_radiance = vec4(expanded(colour), 1.0);
+    out_history = vec4(out_radiance.rgb, kept(before.depth, pictures + 1u));
+}
