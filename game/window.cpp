@@ -58,6 +58,7 @@ Window::Window(glm::uvec2 size_px, const std::string& title, bool resizable) {
     glfwWindowHint(GLFW_DEPTH_BITS,
                    0);  // the renderer has targets of its own; the window only shows the last one
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_ALPHA_BITS, 0);  // what passes leave in alpha is nothing for a compositor
     window_ = try_create(size_px, title, GLFW_EGL_CONTEXT_API);
     if (window_ == nullptr) window_ = try_create(size_px, title, GLFW_NATIVE_CONTEXT_API);
     if (window_ == nullptr) {

@@ -71,8 +71,8 @@ void count_calls() {
              &glDrawElementsInstancedBaseVertexBaseInstance, &glGenerateTextureMipmap,
              &glInvalidateNamedFramebufferData, &glMultiDrawElementsIndirect>();
     take_all<CallKind::bind, &glBindBuffer, &glBindBufferBase, &glBindBufferRange, &glBindBuffersBase,
-             &glBindFramebuffer, &glBindSampler, &glBindSamplers, &glBindTextureUnit, &glBindTextures,
-             &glBindVertexArray, &glUniform1i, &glUniform2i, &glUniform4f, &glUseProgram>();
+             &glBindFramebuffer, &glBindImageTexture, &glBindSampler, &glBindSamplers, &glBindTextureUnit,
+             &glBindTextures, &glBindVertexArray, &glUniform1i, &glUniform2i, &glUniform4f, &glUseProgram>();
     take_all<CallKind::state, &glBlendFunc, &glBlendFunci, &glClipControl, &glColorMask, &glCullFace,
              &glDepthFunc, &glDepthMask, &glDisable, &glEnable, &glFrontFace, &glLineWidth, &glPixelStorei,
              &glPointSize, &glScissor, &glViewport>();

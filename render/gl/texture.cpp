@@ -30,6 +30,7 @@ std::uint32_t bytes_per_texel(GLenum format) {
         case GL_RGBA16:
         case GL_RGBA16F:
         case GL_RG32F:
+        case GL_RG32UI:
             return 8;
         case GL_RGBA32F:
             return 16;
@@ -75,7 +76,7 @@ bool is_depth(GLenum format) {
 }
 
 bool is_integer(GLenum format) {
-    return format == GL_R32UI;
+    return format == GL_R32UI || format == GL_RG32UI;
 }
 
 namespace {

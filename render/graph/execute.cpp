@@ -216,8 +216,26 @@ void PassContext::bind_texture(GLuint unit, TextureHandle handle, const gl::Samp
     glBindSampler(unit, sampler.name());
 }
 
+void PassContext::copy_into_target(TextureHandle from) const {
+    RAMBLA_ASSERT(desc(from).size == size_, "a copy neither scales nor leaves anything out");
+    RenderGraph::State& state = *graph_.state_;
+    const graph::Pool::Memory memory = state.info(from.version).memory;
+    graph::FramebufferCache::Key key;
+    gl::FramebufferDesc reader;
+    key.colours[0] = memory.id;
+    reader.colours[0] = {memory.name, 0};
+    const auto width = static_cast<GLint>(size_.x);
+    const auto height = static_cast<GLint>(size_.y);
+    glBlitNamedFramebuffer(state.framebuffers.get(key, reader, "copied"), framebuffer_, 0, 0, width, height,
+                           0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void PassContext::bind_no_vertices() const {
+    graph_.state_->no_vertices.bind();
+}
+
 void PassContext::draw_full_screen() const {
-    graph_.state_->full_screen.bind();
+    bind_no_vertices();
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -87,6 +87,11 @@ public:
 
     /// Binds a texture and a sampler to a unit.
     void bind_texture(GLuint unit, TextureHandle handle, const gl::Sampler& sampler) const;
+    /// Copies a colour texture of the attachments' size, which the pass reads for a transfer, into colour
+    /// attachment 0.
+    void copy_into_target(TextureHandle from) const;
+    /// Binds a vertex array without attributes, for draws that make their vertices from gl_VertexID.
+    void bind_no_vertices() const;
     /// Draws one triangle that covers the viewport; the vertex shader makes it from gl_VertexID 0…2.
     void draw_full_screen() const;
 

@@ -48,7 +48,7 @@ struct RenderGraph::State {
     std::vector<graph::Pool::Memory> slots;  ///< of the running frame
     graph::FramebufferCache framebuffers;
     graph::Timers timers;
-    gl::VertexArray full_screen{"full screen"};
+    gl::VertexArray no_vertices{"no vertices"};
 
     [[nodiscard]] std::uint32_t layout_index(const graph::Layout& layout);
     [[nodiscard]] const ResourceInfo& info(std::uint32_t version) const {

@@ -17,8 +17,8 @@
 #include "render/post/bloom.h"
 #include "render/post/corona.h"
 #include "render/post/debug_view.h"
+#include "render/post/edge_smoothing.h"
 #include "render/post/exposure.h"
-#include "render/post/fxaa.h"
 #include "render/post/hud.h"
 #include "render/post/luminance.h"
 #include "render/post/supersampling.h"
@@ -74,7 +74,7 @@ using DisplayPasses = PassList<LuminancePass,      //
                                BloomPass,          //
                                CoronaPass,         //
                                TonemapPass,        //
-                               FxaaPass,           //
+                               EdgeSmoothingPass,  //
                                SupersamplingPass,  //
                                DebugViewPass,      //
                                HudPass>;

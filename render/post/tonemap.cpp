@@ -12,7 +12,7 @@ namespace {
 bool is_smoothed(const FrameResources& resources) {
     const AntiAliasing method = resources.settings.anti_aliasing.method;
     if (method == AntiAliasing::ssaa) return resources.frame.view.samples > 1;
-    return method != AntiAliasing::none && method != AntiAliasing::taa;
+    return needs_display(method);
 }
 
 shared::TonemapConstants constants_of(const FrameResources& resources, bool smoothed) {

@@ -28,6 +28,18 @@ inline constexpr std::array<std::string_view, 7> k_anti_aliasing_methods{
     "none", "sobel", "edges", "fxaa", "morphological", "taa", "ssaa"};
 inline constexpr std::array<std::string_view, 2> k_sobel_of{"colour", "depth"};
 inline constexpr std::array<std::string_view, 3> k_anti_aliasing_qualities{"low", "medium", "high"};
+
+/// Whether a method looks at nothing but the finished picture, and works where it has edges
+/// (render/post/edge_smoothing.h).
+[[nodiscard]] constexpr bool smooths_edges(AntiAliasing method) {
+    return method == AntiAliasing::sobel || method == AntiAliasing::edges || method == AntiAliasing::fxaa ||
+           method == AntiAliasing::morphological;
+}
+/// Whether tone mapping draws a picture of its own, from which the method makes the one that is shown.
+[[nodiscard]] constexpr bool needs_display(AntiAliasing method) {
+    return smooths_edges(method) || method == AntiAliasing::ssaa;
+}
+
 inline constexpr std::array k_anti_aliasing_parameters{
     parameter<&AntiAliasingParameters::method>("aa", k_anti_aliasing_methods,
                                                "How jagged edges are smoothed."),

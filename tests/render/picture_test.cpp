@@ -159,45 +159,6 @@ TEST(Tonemap, SurvivesOverflow) {
     EXPECT_EQ(picture.display(64, 64), glm::ivec3{255});
 }
 
-TEST(Fxaa, LeavesFlatAreasAndSmoothsAStaircase) {
-    Stage stage;
-    assets::Material m = matte();
-    m.unlit = true;
-    // An edge that rises one pixel in eight.
-    stage.place(stage.square(), stage.material(m),
-                glm::rotate(glm::mat4{1.0f}, std::atan(0.125f), {0, 0, 1}) *
-                    glm::translate(glm::mat4{1.0f}, {0, -20, 0}) *
-                    glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
-    stage.frame.environment.sky_zenith_radiance = stage.frame.environment.sky_horizon_radiance =
-        glm::vec3{0.0f};
-    stage.settings.anti_aliasing.method = render::AntiAliasing::none;
-    const Picture stairs = stage.draw();
-    EXPECT_FALSE(stairs.has_pass("fxaa"));
-    stage.settings.anti_aliasing.method = render::AntiAliasing::fxaa;
-    const Picture smooth = stage.draw();
-    double stairs_error = 0.0, smooth_error = 0.0;
-    int between = 0;
-    for (std::uint32_t x = 16; x < 112; ++x) {
-        double stairs_column = 0.0, smooth_column = 0.0;
-        for (std::uint32_t y = 0; y < 128; ++y) {
-            const glm::vec2 from_edge{x + 0.5f - 64.0f, 63.5f - static_cast<float>(y)};
-            const bool flat = std::fabs(from_edge.y - 0.125f * from_edge.x) > 3.0f;
-            ASSERT_TRUE(!flat || stairs.display(x, y) == smooth.display(x, y)) << x << " " << y;
-            stairs_column += stairs.display(x, y).x / 255.0;
-            smooth_column += smooth.display(x, y).x / 255.0;
-            if (smooth.display(x, y).x > 40 && smooth.display(x, y).x < 200) ++between;
-        }
-        // The white height of the column is that of a straight edge, 64 + x/8, scaled by the card's shown
-        // brightness.
-        const double white = stairs.display(64, 127).x / 255.0;
-        const double exact = (64.0 + 0.125 * (x + 0.5 - 64.0)) * white;
-        stairs_error += std::fabs(stairs_column - exact);
-        smooth_error += std::fabs(smooth_column - exact);
-    }
-    EXPECT_GT(between, 48) << "fewer than one column in two has a pixel between black and white";
-    EXPECT_LT(smooth_error, 0.5 * stairs_error);
-}
-
 TEST(Picture, IsTheSameTwentyTimes) {
     Stage stage;
     assets::Material glass = matte({0.2f, 0.3f, 0.3f});

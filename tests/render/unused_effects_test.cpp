@@ -109,6 +109,12 @@ TEST(UnusedEffects, LeaveTheFrameAsItWasToTheCallAndTheByte) {
             stage.frame.view.samples = 1;
             stage.frame.view.size_px /= 2u;
         });
+    for (const auto method :
+         {render::AntiAliasing::sobel, render::AntiAliasing::edges, render::AntiAliasing::morphological}) {
+        changes_and_comes_back(
+            render::k_anti_aliasing_methods[static_cast<std::size_t>(method)].data(),
+            [&] { settings.anti_aliasing.method = method; }, [&] { settings.anti_aliasing = {}; });
+    }
     changes_and_comes_back(
         "overdraw", [&] { settings.debug.view = render::DebugView::overdraw; },
         [&] { settings.debug.view = render::DebugView::off; });
@@ -147,6 +153,31 @@ TEST(UnusedEffects, AutomaticExposureKeepsOneBufferAndWhatReadsItBack) {
     EXPECT_EQ(objects(), fixed + 4 + 8 + 2);
     stage.settings.exposure.mode = render::ExposureMode::fixed;
     EXPECT_EQ(objects(), fixed + 4) << "programs stay";
+}
+
+TEST(UnusedEffects, AntiAliasingIsMadeWhenItIsChosen) {
+    Stage stage;
+    stage.place(stage.square(), stage.material(matte()));
+    stage.settings.anti_aliasing.method = render::AntiAliasing::none;
+    static_cast<void>(stage.draw());
+    const auto objects_without = [&] {
+        stage.settings.anti_aliasing = {.method = render::AntiAliasing::none};
+        static_cast<void>(settled(stage));
+        return stage.redraw().gl_objects;
+    };
+    const auto choose = [&](const render::AntiAliasingParameters& chosen) {
+        stage.settings.anti_aliasing = chosen;
+        static_cast<void>(settled(stage));
+    };
+    const std::uint32_t none = objects_without();
+    choose({.method = render::AntiAliasing::fxaa, .everywhere = true});
+    EXPECT_EQ(objects_without(), none + 1) << "a program for the whole screen";
+    choose({.method = render::AntiAliasing::fxaa});
+    EXPECT_EQ(objects_without(), none + 3) << "one for tiles, and one that finds them";
+    choose({.method = render::AntiAliasing::morphological, .everywhere = true});
+    EXPECT_EQ(objects_without(), none + 5) << "one for the screen, and one that finds lines";
+    choose({.method = render::AntiAliasing::fxaa, .samples = 2, .history = 0.5f});
+    EXPECT_EQ(objects_without(), none + 5) << "what other methods read changes nothing";
 }
 
 TEST(UnusedEffects, ALampOutOfViewCostsNoCall) {
