@@ -30,10 +30,16 @@ bool has_bit(uint bits, int place) {
     return (bits >> uint(place) & 1u) != 0u;
 }
 
+bool has_line(bool columns, ivec2 place) {
+    uint word = line_word(columns, place >> 2);
+    return has_bit(word, int(k_half_word) + 4 * (place.y & 3) + (place.x & 3));
+}
+
 /// To the right, or up. The line ends before the first pixel that has no such edge, or at whose near side it is crossed.
 LineEnd line_end_ahead(bool columns, ivec2 place) {
     int next = place.x + 1;
-    for (int i = 0; i < k_words; ++i) {
+    int limit = (place.x & ~3) + 4 * k_words;
+    while (next < limit) {
         uvec3 bits = line_bits(columns, next >> 2, place.y);
         uint stops = (~bits.x | bits.y | bits.z) & (k_row_mask << uint(next & 3)) & k_row_mask;
         int first = next & ~3;
@@ -46,10 +52,11 @@ LineEnd line_end_ahead(bool columns, ivec2 place) {
     return LineEnd(next - place.x - 1, false, false);
 }
 
-/// To the left, or down. The line ends at the first pixel at whose far side it is crossed, or after which there is no edge.
+/// To the left, or down. The line ends at the first pixel at whose near side it is crossed, or before which there is no edge.
 LineEnd line_end_behind(bool columns, ivec2 place) {
     int last = place.x;
-    for (int i = 0; i < k_words; ++i) {
+    int limit = (place.x & ~3) - 4 * (k_words - 1);
+    while (last >= limit) {
         uvec3 bits = line_bits(columns, last >> 2, place.y);
         uint seen = k_row_mask >> uint(3 - (last & 3));
         int first = last & ~3;

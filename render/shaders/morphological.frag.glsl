@@ -7,7 +7,7 @@
 layout(binding = UNIT_PASS) uniform sampler2D display;
 layout(binding = UNIT_PASS + 3) uniform usampler2D edges;
 
-/// Of four pixels: 5 to 8 pixels on either hand, 13 to 16, or 29 to 32.
+/// Of four pixels, this one's own first: on either hand at least 4 pixels are seen, 12, or 28.
 const int k_words_of_quality[3] = int[](2, 4, 8);
 const int k_words = k_words_of_quality[QUALITY];
 
@@ -17,14 +17,33 @@ const int k_words = k_words_of_quality[QUALITY];
 layout(location = 0) out vec4 out_colour;
 
 /// @param place  on a line, of the pixel above it
-/// @return       as line_areas(), 0 where there is no line
+/// @return       as line_areas()
 vec2 areas_at(bool columns, ivec2 place) {
-    if (!has_bit(line_bits(columns, place.x >> 2, place.y).x, place.x & 3)) return vec2(0.0);
     LineEnd behind = line_end_behind(columns, place);
     LineEnd ahead = line_end_ahead(columns, place);
     float height_behind = end_height(behind.turns_up, behind.turns_down, ahead.turns_up, ahead.turns_down);
     float height_ahead = end_height(ahead.turns_up, ahead.turns_down, behind.turns_up, behind.turns_down);
     return line_areas(float(behind.passed_px), float(ahead.passed_px), height_behind, height_ahead);
+}
+
+/// Sides of a pixel: below, above, left, right. A line is kept by the pixel above it, or on its right: the sides above and
+/// on the right are those of the pixel beyond.
+bool is_column(int side) {
+    return side >= 2;
+}
+bool is_beyond(int side) {
+    return (side & 1) != 0;
+}
+ivec2 place_of(int side, ivec2 pixel) {
+    return (is_column(side) ? pixel.yx : pixel) + ivec2(0, is_beyond(side) ? 1 : 0);
+}
+
+/// A bit for each side.
+uint sides_with_lines(ivec2 pixel) {
+    uint sides = 0u;
+    for (int side = 0; side < 4; ++side)
+        sides |= has_line(is_column(side), place_of(side, pixel)) ? 1u << uint(side) : 0u;
+    return sides;
 }
 
 vec3 colour_at(ivec2 pixel) {
@@ -33,19 +52,25 @@ vec3 colour_at(ivec2 pixel) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float from_below = areas_at(false, pixel).x;
-    float from_above = areas_at(false, pixel + ivec2(0, 1)).y;
-    float from_left = areas_at(true, pixel.yx).x;
-    float from_right = areas_at(true, pixel.yx + ivec2(0, 1)).y;
+    uint sides = sides_with_lines(pixel);
+    if (sides == 0u) discard;
+    // As many turns as the pixel has lines; most have one or two.
+    vec4 shares = vec4(0.0);
+    while (sides != 0u) {
+        int side = findLSB(sides);
+        sides &= sides - 1u;
+        vec2 areas = areas_at(is_column(side), place_of(side, pixel));
+        shares[side] = is_beyond(side) ? areas.y : areas.x;
+    }
     // Of a corner, the longer side.
-    bool vertical = max(from_below, from_above) >= max(from_left, from_right);
-    vec2 shares = vertical ? vec2(from_below, from_above) : vec2(from_left, from_right);
-    float sum = shares.x + shares.y;
+    bool vertical = max(shares.x, shares.y) >= max(shares.z, shares.w);
+    vec2 mixed_in = vertical ? shares.xy : shares.zw;
+    float sum = mixed_in.x + mixed_in.y;
     if (!(sum > 0.0)) discard;
     ivec2 across = vertical ? ivec2(0, 1) : ivec2(1, 0);
     vec3 own = colour_at(pixel);
     // Lines on both sides each have their part of the pixel.
-    vec3 mixed = shares.x * mix(own, colour_at(pixel - across), shares.x) +
-                 shares.y * mix(own, colour_at(pixel + across), shares.y);
+    vec3 mixed = mixed_in.x * mix(own, colour_at(pixel - across), mixed_in.x) +
+                 mixed_in.y * mix(own, colour_at(pixel + across), mixed_in.y);
     out_colour = vec4(mixed / sum, 1.0);
 }
