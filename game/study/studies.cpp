@@ -10,8 +10,9 @@
 namespace rambla::game::study {
 namespace {
 
-constexpr std::array k_studies{&k_gbuffer_study, &k_lighting_study, &k_detail_study, &k_luminance_study,
-                               &k_tonemap_study, &k_bloom_study,    &k_passes_study, &k_compression_study};
+constexpr std::array k_studies{&k_gbuffer_study,      &k_lighting_study, &k_detail_study,
+                               &k_luminance_study,    &k_tonemap_study,  &k_bloom_study,
+                               &k_antialiasing_study, &k_passes_study,   &k_compression_study};
 
 std::string known_names() {
     std::string names = "all";

@@ -65,6 +65,7 @@ extern const Study k_detail_study;
 extern const Study k_luminance_study;
 extern const Study k_tonemap_study;
 extern const Study k_bloom_study;
+extern const Study k_antialiasing_study;
 extern const Study k_passes_study;
 extern const Study k_compression_study;
 

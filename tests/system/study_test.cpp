@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::vector<std::string> k_names{"gbuffer", "lighting", "detail", "luminance",
-                                       "tonemap", "bloom",    "passes", "compression"};
+const std::vector<std::string> k_names{"gbuffer", "lighting",     "detail", "luminance",  "tonemap",
+                                       "bloom",   "antialiasing", "passes", "compression"};
 
 struct StudyProgram : testing::Test {
     ScratchFolder scratch;
