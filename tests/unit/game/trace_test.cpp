@@ -147,8 +147,9 @@ TEST_F(TraceFiles, HoldsWholeEventsAtAnyMoment) {
 
 /// A frame of two passes that begins at `begin_ms` after the trace, on the GPU by `gpu_late_ms` later.
 systems::Feedback frame(std::uint64_t number, double begin_ms, double gpu_late_ms) {
-    static const Clock::time_point first =
-        Clock::now();  // one for all frames, or they would overlap by chance
+    // One for all frames, or they would overlap by chance, and later than any test of the program begins its
+    // trace: what lies before a trace's own begin is cut off.
+    static const Clock::time_point first = Clock::now() + 24h;
     const auto at = [](double ms) {
         return first + std::chrono::microseconds{std::llround(1000.0 * ms)};
     };
