@@ -53,6 +53,7 @@ public:
         stream_.begin_frame();
         graph_.begin_frame();
         render::FrameResources resources{.frame = frame,
+                                         .view = frame.view,
                                          .settings = settings,
                                          .scene = store_,
                                          .samplers = samplers_,

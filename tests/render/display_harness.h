@@ -69,6 +69,7 @@ public:
         graph_.begin_frame();
         stream_.begin_frame();
         render::FrameResources resources{.frame = frame,
+                                         .view = frame.view,
                                          .settings = settings,
                                          .scene = scene_,
                                          .samplers = samplers_,
