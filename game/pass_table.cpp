@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "game/statistics.h"
 
@@ -17,6 +18,7 @@ struct Samples {
     std::vector<double> gpu_ms, cpu_ms, bytes;
     double memory_bytes = 0.0;
     std::uint32_t frames = 0;
+    std::optional<std::size_t> last_frame{};  ///< passes of one name may run several times in a frame
 
     explicit Samples(std::size_t count) : gpu_ms(count), cpu_ms(count), bytes(count) {}
 };
@@ -76,7 +78,8 @@ PassTable make_pass_table(const std::vector<systems::Feedback>& frames) {
             samples.bytes[f] += static_cast<double>(timing.bytes_written);
             samples.memory_bytes = std::max(samples.memory_bytes, static_cast<double>(timing.memory_bytes));
             envelope.memory_bytes = std::max(envelope.memory_bytes, samples.memory_bytes);
-            ++samples.frames;
+            samples.frames += samples.last_frame == f ? 0 : 1;
+            samples.last_frame = f;
             missing.gpu_ms[f] -= timing.gpu_ms;
             missing.cpu_ms[f] -= timing.cpu_ms;
             envelope.bytes[f] += static_cast<double>(timing.bytes_written);

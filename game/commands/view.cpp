@@ -39,7 +39,6 @@ struct ViewCommand {
     fs::path out;
     std::uint64_t frames = 0;
     const CLI::Option* shadows = nullptr;
-    const CLI::Option* exposure = nullptr;
     const CLI::Option* size = nullptr;
 };
 
@@ -129,8 +128,6 @@ int run(ViewCommand& command) {
     command.wishes.origin = command.options.origin;
     command.wishes.settings = command.options.settings;
     command.wishes.own_shadows = command.shadows->count() > 0;
-    // Who looks at a model wants to judge how light or dark it is, and to compare it with others on a sheet.
-    if (command.exposure->count() == 0) command.wishes.settings.exposure.mode = render::ExposureMode::fixed;
     command.wishes.own_exposure = command.options.own_exposure;
     if (command.options.time_given->count() > 0) command.wishes.time = command.options.time;
     if (!windowed) command.out = picture_file(command);
@@ -148,6 +145,8 @@ Command add_view(CLI::App& program) {
     CLI::App* const line = program.add_subcommand("view", "Shows a glTF file, in a window or as a picture");
     const auto command = std::make_shared<ViewCommand>();
     Options& options = command->options;
+    // Who looks at a model wants to see how light or dark it is, and to compare it with others on a sheet.
+    options.settings.exposure.mode = render::ExposureMode::fixed;
     line->footer(
         "Looks through the file's first camera, or shows everything if it has none. The light is the file's "
         "own with a\n"
@@ -162,6 +161,7 @@ Command add_view(CLI::App& program) {
         "of --clip;\n"
         "a picture shows the file's own pose unless --clip or --clip-time is given. A file's camera moves as "
         "its clips say.\n"
+        "Exposure is fixed unless --exposure auto is given.\n"
         "Several files become one picture, a cell of --size (default 320x240) for each; what cannot be shown "
         "there gets a\n"
         "cell with the reason; if nothing can be shown, the exit code is 2.\n");
@@ -195,7 +195,6 @@ Command add_view(CLI::App& program) {
     add_trace_option(*line, options);
     add_message_options(*line, options);
     command->shadows = line->get_option("--shadows");
-    command->exposure = line->get_option("--exposure");
     command->size = line->get_option("--size");
     return {line, [command] {
                 return run(*command);

@@ -19,7 +19,7 @@ constexpr std::array<double, 5> k_phases_ev{0.0, k_step_ev, 0.0, -k_step_ev, 0.0
 constexpr double k_least_step_ev = 0.1;  ///< the first phase has none
 constexpr double k_phase_s = 3.0;
 constexpr double k_frame_s = 1.0 / 15.0;
-constexpr double k_quick_phase_s = 0.4;
+constexpr double k_quick_phase_s = 0.2;
 constexpr glm::uvec2 k_size_px{160, 90};
 
 void scale_light(systems::Frame& frame, float factor) {

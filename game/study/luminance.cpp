@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::uint32_t k_rounds = 7;
 constexpr std::uint32_t k_moves = 12;  ///< of the eye, within one pixel
+constexpr std::uint32_t k_quick_moves = 3;
 constexpr std::array<std::string_view, 4> k_grades{"auto:luminance=chain", "auto:luminance=compute",
                                                    "auto:luminance=mips", "auto:luminance=mips16"};
 constexpr std::array<std::string_view, 1> k_passes{"luminance"};
@@ -122,8 +123,9 @@ void measure(StudyContext& context, Stage& stage, const std::string& scene, glm:
     const EyeOfRound walk = along_the_walk(stage, size_px, rounds);
     const std::vector<PictureCost> costs =
         draw_in_turns(context, stage, all, walk, rounds, "luminance: " + scene);
+    const std::uint32_t moves = context.options().quick ? k_quick_moves : k_moves;
     const Averages far = look(context, stage, all, walk, rounds);
-    const Averages near = look(context, stage, all, within_a_pixel(walk(0)), k_moves);
+    const Averages near = look(context, stage, all, within_a_pixel(walk(0)), moves);
     if (context.stopped()) return;
     for (std::size_t i = 0; i < costs.size(); ++i) {
         result.grades.push_back(
@@ -189,8 +191,8 @@ void run(StudyContext& context, StudyResult& result) {
         if (context.stopped()) return;
         measure(context, stage, fmt::format("street, {}", size_text(size_px)), size_px, result);
     }
-    for (const char* grade : {"auto", "auto:strength=1,range=10"})
-        follow_light_steps(context, stage, grade, result);
+    follow_light_steps(context, stage, "auto", result);
+    if (!context.options().quick) follow_light_steps(context, stage, "auto:strength=1,range=10", result);
     show_hours(context, hours, context.sizes({{640, 360}}).front(), result);
 }
 

@@ -70,6 +70,20 @@ TEST_F(Following, IsExactForAnyFrameTime) {
     }
 }
 
+TEST_F(Following, OfAHundredthOfAStopIsExactInTenthsOfMilliseconds) {
+    // Six stops away from 0, where floats are 5e-7 apart, and steps begin at 8e-7.
+    const double start = frame(6.4f, 0.0);
+    const float darker = 6.4f * std::exp2(-0.01f);
+    double ev = 0.0;
+    for (int i = 1; i <= 3000; ++i)
+        ev = frame(darker, i * 1e-4);
+    gpu.cut = true;
+    const double target = frame(darker, 0.3);
+    EXPECT_NEAR(target - start, 0.01, 1e-4);
+    const double tau = static_cast<double>(gpu.settings.exposure.up_s);
+    EXPECT_NEAR(ev, target + (start - target) * std::exp(-0.3 / tau), 2e-6);
+}
+
 TEST_F(Following, OfALongTimeDoesNotDependOnHowItIsDivided) {
     const auto after_half_a_second = [&](int frames) {
         gpu.cut = true;
@@ -128,7 +142,7 @@ TEST_F(Following, JumpsAfterACutAndAfterAWhileWithoutIt) {
     gpu.settings.exposure.mode = render::ExposureMode::fixed;
     EXPECT_FALSE(gpu.show(grey(0.1f), 0.002).exposure.has_value());
     gpu.settings.exposure.mode = render::ExposureMode::automatic;
-    EXPECT_NEAR(frame(0.1f, 0.003), 0.0, 1e-3);
+    EXPECT_NEAR(frame(0.4f, 0.003), -2.0, 1e-3);
 }
 
 TEST_F(Following, StaysWithinItsRange) {

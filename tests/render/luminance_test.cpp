@@ -90,6 +90,15 @@ TEST_P(Luminance, CountsThePixelsAtTheRimsLikeAllOthers) {
     }
 }
 
+TEST_P(Luminance, CountsEverySquareOfALargePicture) {
+    // 17 squares of 64 down and across: more than one workgroup has invocations to add them up. One half is
+    // bright.
+    Light light{{1030, 1040}, glm::vec3{1e-2f}};
+    for (std::size_t i = light.texels.size() / 2; i < light.texels.size(); ++i)
+        light.texels[i] = glm::vec3{10.0f};
+    EXPECT_LT(error(gpu, light), k_wanted);
+}
+
 TEST_P(Luminance, OfBlackIsDelta) {
     for (const float delta : {1e-6f, 1e-4f, 1.0f}) {
         gpu.settings.exposure.delta = delta;

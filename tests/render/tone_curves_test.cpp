@@ -260,6 +260,10 @@ TEST_F(Estimating, OfBlackAndOfBrokenPicturesIsANumber) {
             EXPECT_TRUE(std::isfinite(value)) << level;
             EXPECT_GT(value, 0.0f) << level;
         }
+        const bool is_bright = level > 1.0f && std::isfinite(level);
+        EXPECT_GE(found.seen.z, gpu.settings.exposure.delta);
+        // Half a bin of the histogram is 1.2 %.
+        EXPECT_NEAR(found.seen.w, is_bright ? level : gpu.settings.exposure.delta, 0.0125f * found.seen.w);
     }
 }
 
@@ -317,6 +321,23 @@ TEST_F(AfterTheCurve, NightSightTurnsDarkRedsDarkAndLeavesWhatIsBright) {
     EXPECT_LT(seen.display(0).x, plain.display(0).x);
     EXPECT_GT(seen.display(1).z, seen.display(1).x) << "blue";
     EXPECT_EQ(seen.display(2), plain.display(2)) << "cones alone";
+}
+
+TEST_F(AfterTheCurve, NightSightKnowsHowDarkThingsAreAtAnyExposure) {
+    gpu.settings.tone.blue_shift = 1.0f;
+    gpu.settings.tone.brightness = 4.0f;
+    const auto blue_by_red = [&] {
+        const glm::ivec3 shown = gpu.show(Light{{4, 4}, glm::vec3{4e-3f}}).display(5);
+        const auto linear = [](int byte) {
+            return std::pow((byte / 255.0 + 0.055) / 1.055, 2.4);
+        };
+        return linear(shown.z) / linear(shown.x);
+    };
+    const double fixed = blue_by_red();
+    EXPECT_GT(fixed, 1.5);
+    gpu.settings.exposure = {.mode = render::ExposureMode::automatic, .key = 0.032f, .strength = 1.0f};
+    // A byte around 33 is half a step off, 2 % of linear light; here three stops brighter.
+    EXPECT_NEAR(blue_by_red(), fixed, 0.05 * fixed);
 }
 
 }  // namespace

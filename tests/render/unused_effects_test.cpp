@@ -149,8 +149,8 @@ TEST(UnusedEffects, AutomaticExposureKeepsOneBufferAndWhatReadsItBack) {
     stage.settings.exposure.mode = render::ExposureMode::automatic;
     // Programs: two of the chain, exposure, tone mapping. Steps of the chain from 128 pixels: four textures,
     // with a framebuffer each, of which the pool lends no other pass one. Buffers: the state, and a copy for
-    // each of two frames in flight, of which these that are waited for use one.
-    EXPECT_EQ(objects(), fixed + 4 + 8 + 2);
+    // each of two frames in flight.
+    EXPECT_EQ(objects(), fixed + 4 + 8 + 3);
     stage.settings.exposure.mode = render::ExposureMode::fixed;
     EXPECT_EQ(objects(), fixed + 4) << "programs stay";
 }

@@ -31,6 +31,14 @@ TEST(Percentile, OfKnownSamples) {
     EXPECT_DOUBLE_EQ(median({}), 0.0);
 }
 
+TEST(PassTable, AddsUpPassesOfOneNameAndCountsTheirFrameOnce) {
+    systems::Feedback twice = frame(1.0, 6.0, 10.0);
+    twice.passes.push_back(twice.passes[1]);
+    const PassTable table = make_pass_table({twice, twice, frame(1.0, 6.0, 10.0)});
+    EXPECT_EQ(table.passes[1].frames, 3u);
+    EXPECT_DOUBLE_EQ(table.passes[1].gpu_ms_median, 12.0);
+}
+
 TEST(PassTable, MediansSharesAndTheMissingRow) {
     const PassTable table =
         make_pass_table({frame(1.0, 6.0, 10.0), frame(2.0, 5.0, 10.0), frame(3.0, 7.0, 12.0)});

@@ -47,6 +47,18 @@ TEST(WalkReport, StatesWhatTexturesTookAfterTheLastFrame) {
     EXPECT_EQ(json["textures"]["below_demand"], 3);
 }
 
+TEST(WalkReport, StatesWhereExposureEndedAndTheMostBrokenPixels) {
+    WalkMeasures measures = walk_of(3);
+    EXPECT_TRUE(summary_json(measures)["exposure"].is_null()) << "fixed: nothing has looked";
+    measures.drawn[1].exposure = {.known = true, .bad_pixels = 7};
+    measures.drawn[2].exposure = {
+        .known = true, .departure_ev = -0.5, .average_luminance = 0.25, .bad_pixels = 2};
+    const nlohmann::json json = summary_json(measures)["exposure"];
+    EXPECT_EQ(json["departure_ev"], -0.5);
+    EXPECT_EQ(json["average_luminance"], 0.25);
+    EXPECT_EQ(json["bad_pixels_most"], 7);
+}
+
 TEST(WalkReport, AWalkTooShortForFrameTimesStatesNone) {
     const WalkMeasures measures = walk_of(2);
     EXPECT_THAT(summary_text(measures), testing::HasSubstr("1.00 frames per second\n"));
