@@ -42,7 +42,8 @@ double aces(double x) {
     return std::min(1.0, x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14));
 }
 
-/// The half of the sigmoid on one side of the pivot, as lengths from it. Sobotka 2022, AgX.
+/// The half of the sigmoid on one side of the pivot, as lengths from it. Sobotka 2022, AgX; the
+/// pivot is as in tone_curves.glsl.
 double agx_half(double from_pivot, double run, double rise, double power) {
     constexpr double k_slope = 2.0;
     const double a = std::pow(k_slope * run, -power);

@@ -9,7 +9,7 @@ const float k_cones_alone = 0.2;
 /// Linear light of luminance 1 and chromaticity (0.25, 0.25), the blue that Jensen et al. give to what rods see.
 const vec3 k_night_blue = vec3(0.7062, 0.9899, 1.9657);
 
-/// What rods see: V = Y·(1.33·(1 + (Y + Z)/X) − 1.68), Larson et al. 1997, eq. 10; divided by what that is for white, so that
+/// What rods see: V = Y·(1.33·(1 + (Y + Z)/X) − 1.68), Larson et al. 1997; divided by what that is for white, so that
 /// greys are as bright as before, reds darker and blues brighter (Purkinje).
 float rod_luminance(vec3 colour) {
     float x = dot(colour, vec3(0.4124, 0.3576, 0.1805));

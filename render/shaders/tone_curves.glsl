@@ -39,9 +39,10 @@ vec3 tone_aces(vec3 x, float white) {
     return min(bounded * (2.51 * bounded + 0.03) / (bounded * (2.43 * bounded + 0.59) + 0.14), vec3(1.0));
 }
 
-// AgX, after Sobotka's configuration for OpenColorIO (2022): colours are drawn together, each channel's logarithm goes
+// After AgX, Sobotka's configuration for OpenColorIO (2022): colours are drawn together, each channel's logarithm goes
 // through a sigmoid, and what comes out is drawn apart again. So very bright colours become white on the way, where curves
-// on channels alone bend their hue.
+// on channels alone bend their hue. Range, slope and powers are those of AgX; its pivot, 0.5, is here what keeps middle
+// grey as bright as it was.
 //
 // Its matrix for Rec. 709 is, within 2e-4, a mixture of each channel with one weighted mean of all, so that it and its
 // inverse need no matrices.
