@@ -41,18 +41,18 @@ void TemporalAntiAliasingPass::add(RenderGraph& graph, FrameResources& resources
         [&](PassBuilder& pass) {
             pass.read(jittered);
             pass.read(then);
-            if (reproject || motion) pass.read(resources.depth);
+            pass.read(resources.depth);
             if (motion) pass.read(resources.motion);
             now = pass.write_colour(0, now, LoadOp::discard);
             resources.scene_colour = pass.write_colour(
                 1, pass.create_texture("scene colour", {.format = format, .size = resources.size_px()}),
                 LoadOp::discard);
         },
-        [&resources, &resolve, jittered, then, reproject, motion](PassContext& context) {
+        [&resources, &resolve, jittered, then, motion](PassContext& context) {
             const PassSamplers& samplers = resources.samplers;
             context.bind_texture(UNIT_PASS, jittered, samplers.nearest);
             context.bind_texture(UNIT_PASS + 1, then, samplers.linear);
-            if (reproject || motion) context.bind_texture(UNIT_PASS + 2, resources.depth, samplers.nearest);
+            context.bind_texture(UNIT_PASS + 2, resources.depth, samplers.nearest);
             if (motion) context.bind_texture(UNIT_PASS + 3, resources.motion, samplers.nearest);
             resources.temporal_constants.bind(GL_UNIFORM_BUFFER, BINDING_PASS_UNIFORMS);
             resolve.use();

@@ -17,6 +17,12 @@ vec3 expanded(vec3 c) {
     return storable_radiance(vec3(green_free + c.y, c.x + c.z, green_free - c.y) / rest);
 }
 
+/// False for what is no number, which would stay for ever: compressed lumas lie in [0, 1), and the cubic that finds them
+/// between pixels leaves that by little.
+bool is_colour(vec3 c) {
+    return abs(c.x) < 2.0 && abs(c.y) + abs(c.z) < 8.0;
+}
+
 /// Colours around a pixel, as a box that holds those that the pixel may have had before.
 struct ColourBox {
     vec3 low;
@@ -34,38 +40,58 @@ ColourBox colour_box(vec3 low, vec3 high, vec3 sum, vec3 sum2) {
     return ColourBox(max(low, mean - reach), min(high, mean + reach));
 }
 
-/// What is kept beside a colour of the history, in one half float: the greatest depth around the pixel, with five bits of
-/// mantissa, and in the five bits below those how many pictures the colour is the mean of.
-const uint k_most_pictures = 31u;
+/// What is kept beside a colour of the history.
+struct Kept {
+    float depth;    ///< nearest of nine pixels, [0, 1]; at most k_kept_depth_slack of it too small
+    uint pictures;  ///< that the colour is the mean of, up to k_most_pictures; 0: nothing is known
+    uint misses;    ///< how many pictures in a row have not seen what the colour came from, up to k_most_misses
+    bool moved;     ///< that came from something that moved by itself
+};
+
+/// All of it shares one half float: sign, exponent and five bits of the mantissa, and the rest for the numbers.
+const uint k_most_pictures = 7u;
+const uint k_most_misses = 3u;
+const uint k_number_bits = 31u;
+const uint k_sign_bit = 0x8000u;
 /// A perspective's depths are a share of the near plane's distance each; in a parallel view, where they are a share of the
-/// whole range, only what lies some per cent of that before something else is known to have hidden it.
-/// Depths of a half float's full precision: from the near plane to 2⁻²⁸ of that, scaled to 2¹⁴ … 2⁻¹⁴.
+/// whole range, only what lies some per cent of that before something else is known to have hidden it. The half floats of
+/// full precision hold those from the near plane to 2⁻²⁸ of that.
 const float k_depth_scale = 16384.0;
-/// A kept depth is at most that much too small, as a share: bits cut off and the half float's rounding.
+const float k_least_depth = 1.0 / (16384.0 * 16384.0);
+/// Bits cut off, and the half float's own rounding.
 const float k_kept_depth_slack = 1.0 / 32.0 + 1.0 / 1024.0;
 
-float kept(float depth, uint pictures) {
-    uint bits = packHalf2x16(vec2(k_depth_scale * clamp(depth, 0.0, 1.0), 0.0));
-    return unpackHalf2x16((bits & ~k_most_pictures) | min(pictures, k_most_pictures)).x;
+float stored(Kept k) {
+    uint bits = packHalf2x16(vec2(k_depth_scale * clamp(k.depth, k_least_depth, 1.0), 0.0)) & ~k_number_bits;
+    uint numbers = min(k.pictures, k_most_pictures) | min(k.misses, k_most_misses) << 3;
+    return unpackHalf2x16(bits | numbers | (k.moved ? k_sign_bit : 0u)).x;
 }
 
-struct Kept {
-    float depth;
-    uint pictures;
-};
-Kept unkept(float alpha) {
+Kept kept(float alpha) {
     uint bits = packHalf2x16(vec2(alpha, 0.0)) & 0xffffu;
-    float depth = unpackHalf2x16(bits & ~k_most_pictures).x / k_depth_scale;
-    return depth >= 0.0 && depth <= 1.0 ? Kept(depth, bits & k_most_pictures) : Kept(0.0, 0u);  // no number: nothing
+    float depth = abs(unpackHalf2x16(bits & ~k_number_bits).x) / k_depth_scale;
+    if (!(depth >= k_least_depth && depth <= 1.0)) return Kept(0.0, 0u, 0u, false);  // no number: nothing
+    return Kept(depth, bits & k_most_pictures, (bits >> 3) & k_most_misses, (bits & k_sign_bit) != 0u);
 }
 
-/// Whether something else hid then what is seen now. All are depths (reversed), nearest of nine pixels.
+/// Whether something else hid then what is seen now. All are depths (reversed), nearest of nine pixels: next to an edge a
+/// pixel's past is mixed with what is before it.
 /// @param was     what is kept
 /// @param should  what would be there, had nothing hidden it
 /// @param slope   how much the nine pixels differ now: a surface seen at a grazing angle may be a pixel off
 /// @param slack   as a share of the depth
 bool was_hidden(float was, float should, float slope, float slack) {
-    return !(was <= should * (1.0 + slack) + slope);
+    return !(was <= max(should, k_least_depth) * (1.0 + slack) + slope);
+}
+
+/// Share of the present in a pixel where earlier pictures are found between their pixels: each such resampling blurs, most
+/// half way between two, not at all on one. More of the present keeps that within bounds: at a fifth, stripes of five pixels keep 83 % of
+/// their contrast, at a twentieth they would keep half.
+/// @param part  of a pixel, [0, 1)
+float share_against_blur(vec2 part) {
+    const float most = 0.2;
+    vec2 off = 4.0 * part * (1.0 - part);
+    return most * max(off.x, off.y);
 }
 
 /// Weights of the four samples along an axis between the middle ones of which a place lies. Catmull and Rom 1974.

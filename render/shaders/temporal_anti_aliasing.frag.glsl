@@ -40,7 +40,6 @@ Present present(ivec2 pixel) {
     return p;
 }
 
-#if REPROJECT || MOTION
 /// Nearest of the pixels around one: edges move with what is before them (Karis 2014).
 struct Nearest {
     ivec2 pixel;
@@ -51,7 +50,7 @@ struct Nearest {
 Nearest nearest(ivec2 pixel) {
     ivec2 last = ivec2(frame.size_px.xy) - 1;
     float depth = texelFetch(depth_target, pixel, 0).x;
-    Nearest found = Nearest(pixel, depth, depth);
+    Nearest found = Nearest(pixel, depth, 0.0);
     float farthest = depth;
     for (int i = 0; i < 9; ++i) {
         if (i == 4) continue;
@@ -64,6 +63,7 @@ Nearest nearest(ivec2 pixel) {
     return found;
 }
 
+#if REPROJECT || MOTION
 /// Five taps of the bilinear filter for the sixteen of the cubic: corners weigh next to nothing (Jimenez 2016, "Filmic SMAA").
 vec3 sample_history(vec2 place_px) {
     vec2 middle = floor(place_px - 0.5) + 0.5;
@@ -86,17 +86,34 @@ vec3 sample_history(vec2 place_px) {
 
 struct Past {
     vec3 colour;
-    float depth;     ///< to be kept
-    uint pictures;  ///< 0: nothing is known
+    Kept was;           ///< no pictures: nothing is known
+    float depth;        ///< to be kept
+    float near_depth;   ///< of what is seen now
+    float least_share;  ///< of the present
+    bool missed;        ///< what was there, thinner than a pixel, is between the samples now
+    bool moved;         ///< what is there now
 };
 
 #if REPROJECT || MOTION
+/// Of something at rest that is not seen now: whether its own motion on the screen is so much that of what is seen in its
+/// place that it must still be there.
+bool is_still_there(vec2 near_px, float depth, vec2 motion) {
+    const float least_parallax_px = 0.25;
+#if REPROJECT
+    vec4 then = temporal.past_from_present * vec4(2.0 * near_px * frame.size_px.zw - 1.0, depth, 1.0);
+    return distance(motion_px(near_px, then), motion) < least_parallax_px;
+#else
+    return true;
+#endif
+}
+
 Past past(ivec2 pixel) {
     Nearest near = nearest(pixel);
     vec2 near_px = vec2(near.pixel) + 0.5;
     vec2 motion = vec2(0.0);
     float should_be = near.depth;
     float slack = k_kept_depth_slack;
+    bool moved = false;
 #if REPROJECT
     vec4 then = temporal.past_from_present * vec4(2.0 * near_px * frame.size_px.zw - 1.0, near.depth, 1.0);
     motion = motion_px(near_px, then);
@@ -104,7 +121,8 @@ Past past(ivec2 pixel) {
 #endif
 #if MOTION
     vec2 own_motion = texelFetch(motion_target, near.pixel, 0).xy;
-    if (!is_at_rest(own_motion)) {
+    moved = !is_at_rest(own_motion);
+    if (moved) {
         motion = own_motion;
         // Its depth then is not known, and things come closer by a few per cent from picture to picture.
         const float closer = 0.2;
@@ -115,15 +133,22 @@ Past past(ivec2 pixel) {
     vec2 place_px = gl_FragCoord.xy - motion;
     bool is_inside = all(greaterThanEqual(place_px, vec2(0.0))) && all(lessThan(place_px, frame.size_px.xy));
     if (!is_inside) place_px = gl_FragCoord.xy;
-    Kept was = unkept(texelFetch(history, ivec2(place_px), 0).a);
-    bool is_known = is_inside && !was_hidden(was.depth, should_be, near.slope, slack);
-    return Past(sample_history(place_px), near.depth, is_known ? was.pictures : 0u);
+    Kept was = kept(texelFetch(history, ivec2(place_px), 0).a);
+    bool hidden = was_hidden(was.depth, should_be, near.slope, slack);
+    bool missed = hidden && !moved && !was.moved && is_still_there(near_px, was.depth, motion);
+    if (!is_inside || (hidden && !missed)) was.pictures = 0u;
+    // What is not seen has not gone away.
+    float depth = missed ? was.depth : near.depth;
+    return Past(sample_history(place_px), was, depth, near.depth, share_against_blur(fract(place_px - 0.5)), missed, moved);
 }
 #else
 Past past(ivec2 pixel) {
     vec4 texel = texelFetch(history, pixel, 0);
-    Kept was = unkept(texel.a);
-    return Past(compressed(temporal.history.y * texel.rgb), was.depth, was.pictures);
+    Kept was = kept(texel.a);
+    Nearest near = nearest(pixel);
+    bool missed = was_hidden(was.depth, near.depth, near.slope, k_kept_depth_slack);
+    float depth = missed ? was.depth : near.depth;
+    return Past(compressed(temporal.history.y * texel.rgb), was, depth, near.depth, 0.0, missed, false);
 }
 #endif
 
@@ -132,16 +157,29 @@ void main() {
     Present now = present(pixel);
     Past before = past(pixel);
     vec3 colour = now.colour;
-    // False for what is no number, which would stay for ever; compressed lumas lie in [0, 1).
-    bool is_number = before.colour.x > -1.0 && abs(before.colour.y) + abs(before.colour.z) < 4.0;
-    uint pictures = temporal.history.z > 0.0 && is_number ? before.pictures : 0u;
-    if (pictures > 0u) {
+    Kept keep = Kept(before.depth, 1u, 0u, before.moved);
+    bool known = temporal.history.z > 0.0 && before.was.pictures > 0u && is_colour(before.colour);
 #if CLAMP
-        before.colour = clamp(before.colour, now.around.low, now.around.high);
+    vec3 likely = clamp(before.colour, now.around.low, now.around.high);
+    bool unlikely = any(notEqual(likely, before.colour));
+    if (before.missed && unlikely) {
+        // A thing thinner than a pixel is seen in some pictures only. It is believed in for as long as it takes all samples to
+        // come by that are a quarter of a pixel apart; where it has gone away nevertheless, its trail is as short.
+        keep.misses = before.was.misses + 1u;
+        known = known && keep.misses <= k_most_misses;
+    } else {
+        before.colour = likely;
+    }
 #endif
-        float share = max(1.0 / float(pictures + 1u), temporal.history.x);
-        colour = mix(before.colour, colour, share);
+    if (known) {
+        bool all_known = before.was.pictures >= k_most_pictures;
+        float share = all_known ? temporal.history.x : 1.0 / float(before.was.pictures + 1u);
+        colour = mix(before.colour, colour, max(share, before.least_share));
+        keep.pictures = before.was.pictures + 1u;
+    } else {
+        keep.depth = before.near_depth;
+        keep.misses = 0u;
     }
     out_radiance = vec4(expanded(colour), 1.0);
-    out_history = vec4(out_radiance.rgb, kept(before.depth, pictures + 1u));
+    out_history = vec4(out_radiance.rgb, stored(keep));
 }

@@ -116,6 +116,9 @@ TEST(UnusedEffects, LeaveTheFrameAsItWasToTheCallAndTheByte) {
             [&] { settings.anti_aliasing.method = method; }, [&] { settings.anti_aliasing = {}; });
     }
     changes_and_comes_back(
+        "temporal anti-aliasing", [&] { settings.anti_aliasing.method = render::AntiAliasing::taa; },
+        [&] { settings.anti_aliasing.method = render::AntiAliasing::fxaa; });
+    changes_and_comes_back(
         "overdraw", [&] { settings.debug.view = render::DebugView::overdraw; },
         [&] { settings.debug.view = render::DebugView::off; });
 }

@@ -72,5 +72,26 @@ TEST(Renderer, AllocatesNothingInASteadyFrame) {
     }
 }
 
+TEST(Renderer, AllocatesNothingWhileItFollowsWhatMoves) {
+    RenderThreadOptions options;
+    options.compile_ahead = false;
+    Renderer renderer{options};
+    const assets::Scene scene = one_mesh();
+    renderer.upload(scene, *tests::quick_process(scene));
+    FrameInput input = one_triangle();
+    input.settings.anti_aliasing.method = AntiAliasing::taa;
+    std::vector<FrameOutput> outputs;
+    std::size_t last = 1;
+    for (int frame = 0; frame < 12; ++frame) {
+        input.frame.instances[0].row0.w = 0.1f * static_cast<float>(frame % 2);
+        const std::size_t before = test::allocation_count_of_this_thread();
+        renderer.draw(input);
+        last = test::allocation_count_of_this_thread() - before;
+        renderer.take_finished(outputs, true);
+    }
+    EXPECT_EQ(last, 0u);
+    EXPECT_GE(outputs.back().feedback.draws, 3u) << "the triangle, its shadow and its motion";
+}
+
 }  // namespace
 }  // namespace rambla::render

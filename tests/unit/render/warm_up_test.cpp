@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <memory>
@@ -148,6 +149,41 @@ TEST(WarmUp, IsForTheSettingsThatFramesWillHave) {
         }
         EXPECT_EQ(*texts, compiled) << k_lighting_paths[path] << (solid ? ", solid" : "");
     }
+}
+
+TEST(WarmUp, LeavesNoProgramOfTemporalAntiAliasingToBeCompiledLater) {
+    auto texts = std::make_shared<std::atomic<int>>(0);
+    RenderThreadOptions options;
+    options.gl_errors_throw = true;
+    options.shaders = [texts](const std::string& path) {
+        ++*texts;
+        return embedded_shader(path);
+    };
+    options.compile_for.anti_aliasing.method = AntiAliasing::taa;
+    const assets::Scene scene = all_kinds();
+    Renderer renderer{options};
+    renderer.upload(scene, *tests::quick_process(scene));
+    const int compiled = *texts;
+    FrameInput input = warm_up_frames(scene, {}).front();
+    input.settings = options.compile_for;
+    std::vector<FrameOutput> outputs;
+    for (const bool camera : {false, true}) {
+        for (const bool things : {false, true}) {
+            renderer.draw(input);  // both at rest
+            if (camera) input.frame.view.eye_local_m.y += 0.1f;
+            for (systems::Instance& instance : input.frame.instances)
+                instance.row1.w += (things ? 0.2f : 0.0f) - (camera ? 0.1f : 0.0f);
+            for (systems::JointMatrix& joint : input.frame.joints)
+                joint.row1.w += (things ? 0.2f : 0.0f) - (camera ? 0.1f : 0.0f);
+            renderer.draw(input);
+            renderer.take_finished(outputs, true);
+            const std::vector<systems::PassTiming>& passes = outputs.back().feedback.passes;
+            EXPECT_EQ(std::any_of(passes.begin(), passes.end(),
+                                  [](const auto& pass) { return pass.name == "motion vectors"; }),
+                      things);
+        }
+    }
+    EXPECT_EQ(*texts, compiled) << "some motion compiles a program in the middle of a walk";
 }
 
 TEST(WarmUp, DrawsSolidVolumesFromOutsideAndFromInside) {
