@@ -60,15 +60,26 @@ void add_fields_option(CLI::App& command, const std::string& name, std::string_v
                                help_text(parameters)));
 }
 
-/// --exposure, for which a number alone stands for `fixed:ev=` that number.
+/// What --exposure says, where a number alone stands for `fixed:ev=` that number.
+std::string exposure_method_text(const std::string& text) {
+    double ev = 0.0;
+    const char* const end = text.data() + text.size();
+    if (std::from_chars(text.data(), end, ev).ptr == end) return fmt::format("fixed:ev={}", text);
+    const std::string_view method = std::string_view{text}.substr(0, text.find(':'));
+    const auto& modes = render::k_exposure_modes;
+    const bool is_method = std::find(modes.begin(), modes.end(), method) != modes.end();
+    if (is_method || method.find('=') != std::string_view::npos) return text;
+    throw std::invalid_argument{
+        fmt::format("exposure is '{}', expected a number of EV or one of: {}", text, fmt::join(modes, ", "))};
+}
+
+/// --exposure EV, or as any other method.
 void add_exposure_option(CLI::App& command, Options& options) {
     add_method_option(command, "--exposure", render::k_exposure_parameters, options.settings.exposure);
     command.get_option("--exposure")
         ->type_name("EV|METHOD[:name=value,...]")
-        ->transform([&options](std::string text) {
-            double ev = 0.0;
-            const char* const end = text.data() + text.size();
-            if (std::from_chars(text.data(), end, ev).ptr == end) text.insert(0, "fixed:ev=");
+        ->transform([&options](const std::string& given) {
+            const std::string text = usage_checked("--exposure", [&] { return exposure_method_text(given); });
             if (text.find("ev=") != std::string::npos) options.own_exposure = true;
             return text;
         });

@@ -60,7 +60,8 @@ TEST_F(CommandLine, ErrorsNameOptionValueAndRange) {
     EXPECT_THAT(text, testing::HasSubstr("--shadows"));
     EXPECT_THAT(text, testing::HasSubstr("size is '100', expected a whole number from 256 to 8192 texels"));
     EXPECT_THAT(complaint("--exposure bright"),
-                testing::HasSubstr("exposure is 'bright', expected -16 to 16 EV"));
+                testing::HasSubstr("exposure is 'bright', expected a number of EV or one of: fixed, auto"));
+    EXPECT_THAT(complaint("--exposure 17"), testing::HasSubstr("ev is '17', expected -16 to 16 EV"));
     EXPECT_THAT(complaint("--threads 0"), testing::HasSubstr("--threads"));
     EXPECT_THAT(complaint("--nonsense"), testing::HasSubstr("--nonsense"));
 }
@@ -94,6 +95,19 @@ TEST_F(CommandLine, WholeNumbersAreDigitsAlone) {
 TEST_F(CommandLine, TapsAreFourOrSixteen) {
     EXPECT_THAT(complaint("--shadows focused:taps=5"),
                 testing::HasSubstr("taps is '5', expected one of: 4, 16"));
+}
+
+TEST_F(CommandLine, ExposureIsANumberOrAMethod) {
+    parse("--exposure auto:strength=0.5");
+    EXPECT_EQ(options.settings.exposure.mode, render::ExposureMode::automatic);
+    EXPECT_EQ(options.settings.exposure.strength, 0.5f);
+    EXPECT_FALSE(options.own_exposure) << "the light says what auto departs from";
+    parse("--exposure auto:ev=2");
+    EXPECT_EQ(options.settings.exposure.mode, render::ExposureMode::automatic);
+    EXPECT_TRUE(options.own_exposure);
+    parse("--exposure -3");
+    EXPECT_EQ(options.settings.exposure.mode, render::ExposureMode::fixed);
+    EXPECT_EQ(options.settings.exposure.ev, -3.0f);
 }
 
 TEST_F(CommandLine, ExposureHasOneSwitch) {
