@@ -11,6 +11,6 @@ layout(std140, binding = BINDING_PASS_UNIFORMS) uniform LuminanceBlock {
 layout(location = 0) out vec2 out_logarithm;  ///< y: 1 for what is no number
 
 void main() {
-    vec3 texel = texelFetch(scene_colour, ivec2(gl_FragCoord.xy), 0).rgb;
-    out_logarithm = vec2(log(seen_luminance(texel) + constants.delta.x), is_number(texel) ? 0.0 : 1.0);
+    float seen = luminance(texelFetch(scene_colour, ivec2(gl_FragCoord.xy), 0).rgb);
+    out_logarithm = vec2(log(seen_luminance(seen) + constants.delta.x), is_number(seen) ? 0.0 : 1.0);
 }

@@ -25,8 +25,9 @@ void main() {
             bool inside = all(lessThan(place, size));
             vec3 texel = texelFetch(source, min(place, size - 1), 0).rgb;
 #if FIRST
-            row[x] = inside ? seen_luminance(texel) + constants.delta.x : 1.0;
-            sums.y += inside && !is_number(texel) ? 1.0 : 0.0;
+            float seen = luminance(texel);
+            row[x] = inside ? seen_luminance(seen) + constants.delta.x : 1.0;
+            sums.y += inside && !is_number(seen) ? 1.0 : 0.0;
 #else
             sums += inside ? texel.xy : vec2(0.0);
 #endif

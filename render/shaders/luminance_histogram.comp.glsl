@@ -26,7 +26,7 @@ void main() {
         for (int x = 0; x < int(k_luminance_square_px); x += int(k_luminance_group)) {
             ivec2 place = first + ivec2(x, y);
             if (any(greaterThanEqual(place, size))) continue;
-            float seen = seen_luminance(texelFetch(scene_colour, place, 0).rgb);
+            float seen = seen_luminance(luminance(texelFetch(scene_colour, place, 0).rgb));
             atomicAdd(own_bins[bin_of(max(seen, constants.delta.x))], 1u);
         }
     }

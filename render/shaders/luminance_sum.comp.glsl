@@ -27,9 +27,9 @@ vec2 own_sum() {
         for (int i = 0; i < 4; ++i) {
             ivec2 place = first + ivec2(i * int(k_luminance_group), y);
             if (any(greaterThanEqual(place, size))) continue;
-            vec3 texel = texelFetch(scene_colour, place, 0).rgb;
-            row[i] = seen_luminance(texel) + constants.delta.x;
-            sum.y += is_number(texel) ? 0.0 : 1.0;
+            float seen = luminance(texelFetch(scene_colour, place, 0).rgb);
+            row[i] = seen_luminance(seen) + constants.delta.x;
+            sum.y += is_number(seen) ? 0.0 : 1.0;
         }
         sum.x += sum_of_logs(row);
     }
