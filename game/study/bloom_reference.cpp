@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/post/bloom_kernel.h"
@@ -89,6 +90,48 @@ Picture spread_exactly(const Picture& light) {
     for (const glm::dvec3& texel : sum)
         result.texels.emplace_back(texel / static_cast<double>(render::k_bloom_sigmas_px.size()));
     return result;
+}
+
+double energy(const Picture& light) {
+    double sum = 0.0;
+    for (const glm::vec3& texel : light.texels)
+        sum += glm::dot(glm::dvec3{texel}, glm::dvec3{1.0});
+    return sum;
+}
+
+/// Sum over pixels and channels of what is different.
+double change(const Picture& before, const Picture& after) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < before.texels.size(); ++i)
+        sum += glm::dot(glm::dvec3{glm::abs(after.texels[i] - before.texels[i])}, glm::dvec3{1.0});
+    return sum;
+}
+
+double relative_rms_pct(const Picture& exact, const Picture& found) {
+    double squared_error = 0.0, square = 0.0;
+    for (std::size_t i = 0; i < exact.texels.size(); ++i) {
+        const glm::dvec3 off = glm::dvec3{found.texels[i]} - glm::dvec3{exact.texels[i]};
+        squared_error += glm::dot(off, off);
+        square += glm::dot(glm::dvec3{exact.texels[i]}, glm::dvec3{exact.texels[i]});
+    }
+    return square > 0.0 ? 100.0 * std::sqrt(squared_error / square) : 0.0;
+}
+
+Picture scaled(Picture light, float factor) {
+    for (glm::vec3& texel : light.texels)
+        texel *= factor;
+    return light;
+}
+
+Picture exact_glow(const Picture& scene, const render::BloomParameters& bloom) {
+    return scaled(spread_exactly(glowing_part(scene, bloom)), bloom.intensity);
+}
+
+Picture sum_of(const Picture& a, const Picture& b) {
+    Picture sum = a;
+    for (std::size_t i = 0; i < sum.texels.size(); ++i)
+        sum.texels[i] += b.texels[i];
+    return sum;
 }
 
 }  // namespace rambla::game::study

@@ -15,4 +15,17 @@ namespace rambla::game::study {
 /// counts for it.
 [[nodiscard]] Picture spread_exactly(const Picture& light);
 
+/// The share `intensity` of the glowing part, spread.
+[[nodiscard]] Picture exact_glow(const Picture& exposed, const render::BloomParameters& bloom);
+
+[[nodiscard]] Picture scaled(Picture light, float factor);
+[[nodiscard]] Picture sum_of(const Picture& a, const Picture& b);
+
+/// Sum over pixels and channels.
+[[nodiscard]] double energy(const Picture& light);
+/// The same of the absolute difference.
+[[nodiscard]] double change(const Picture& before, const Picture& after);
+/// Root of the mean square error, in percent of the root of the exact light's mean square.
+[[nodiscard]] double relative_rms_pct(const Picture& exact, const Picture& found);
+
 }  // namespace rambla::game::study

@@ -8,8 +8,8 @@ namespace {
 /// Texels of the finest bright light along a tile's edge, which then is 64 pixels long, as are the bins of
 /// the software rasteriser.
 constexpr std::uint32_t k_tile_texels = 8;
-/// Light that is not seen, of display white, which is about 1.
-constexpr float k_unseen_light = 1.0f / 2048.0f;
+/// Light that is not seen, of display white, which is about 1: from there to twice as much, glow fades in.
+constexpr float k_unseen_light = 1.0f / 8192.0f;
 
 /// Where a picture is drawn larger than it is shown, its glow is as many times wider.
 std::uint32_t pixels_drawn_for_one(const Settings& settings) {

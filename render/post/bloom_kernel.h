@@ -31,7 +31,8 @@ struct BlurKernel {
 /// @param variance_texels2  0.1 to 16: up to four standard deviations are not cut off
 [[nodiscard]] BlurKernel gaussian_kernel(double variance_texels2);
 
-/// The Gaussian of 13 texels in 7 fetches, of variance 3. The published weights sum to 1 + 1e-9.
+/// 13 texels in 7 fetches: the binomial coefficients of 16 without the outer two on each side, of variance
+/// 3.98. The published weights, made to sum to 1.
 [[nodiscard]] BlurKernel thirteen_tap_kernel();
 
 [[nodiscard]] double sum(const BlurKernel& kernel);

@@ -83,7 +83,7 @@ private:
 [[nodiscard]] BloomLight spread_by_pyramid(BloomSteps& steps, BloomLight bright);
 
 /// A Gaussian of 13 texels, again and again at half the picture's size: as wide as the square root of the
-/// number of passes, 3.5 pixels for one, which is far from 24 and more.
+/// number of passes, 4 pixels for one, which is far from 24 and more.
 [[nodiscard]] BloomLight spread_by_iteration(BloomSteps& steps, BloomLight bright, int passes);
 
 /// Shares of levels or passes, found anew when their number changes.

@@ -19,10 +19,12 @@ struct BloomParameters {
     /// glows depends on the scene and not on where one looks.
     float threshold = 1.5f;
     float knee = 0.5f;  ///< half the width of the soft onset, as a share of the threshold
-    float intensity = 0.1f;
-    int passes = 6;          ///< of `iterated` and `kawase`
-    bool fireflies = false;  ///< Karis' weights: lamps of a few pixels lose most of their glow as well
-    bool corona = false;     ///< needs no bloom: it is made of the Frame's lights
+    float intensity = 0.2f;
+    int passes = 6;  ///< of `iterated` and `kawase`
+    /// Pixels that are alone in being very bright count less (Karis' weights). Without, the glow has exactly
+    /// the energy of what is bright, and flickers as pixels of glints and of far lamps come and go.
+    bool fireflies = true;
+    bool corona = false;  ///< needs no bloom: it is made of the Frame's lights
 };
 inline constexpr std::array<std::string_view, 5> k_bloom_methods{"off", "pyramid", "iterated", "kawase",
                                                                  "dual"};
@@ -38,7 +40,7 @@ inline constexpr std::array k_bloom_parameters{
                                            "Share of the light above the threshold that is spread."),
     parameter<&BloomParameters::passes>("passes", "", 1, 32, "iterated and kawase: how often it is blurred."),
     parameter<&BloomParameters::fireflies>(
-        "fireflies", "", 0, 1, "Lone very bright pixels glow less, and so do lamps of few pixels."),
+        "fireflies", "", 0, 1, "Lone very bright pixels glow less, so that the glow does not flicker."),
     parameter<&BloomParameters::corona>("corona", "", 0, 1, "Rays and a halo about lamps that are seen."),
 };
 

@@ -1,6 +1,6 @@
 // Glowing light of the pixels about a texel, weighted by a tent as wide as two texels: a pixel's light goes to its
 // nearest texels in the shares of a linear interpolation, so that the place where it comes from is kept and does not
-// jump from texel to texel as it moves. Define FIREFLIES: 1 weighs pixels within quads of 2 × 2.
+// jump from texel to texel as it moves. Define FIREFLIES: 1 lets lone bright pixels count less.
 #include "bloom_tiles.glsl"
 #include "bloom_bright.glsl"
 
@@ -10,22 +10,6 @@ layout(location = 0) out vec4 out_light;
 
 vec3 light_at(ivec2 pixel) {
     return glowing_light(texelFetch(scene_colour, pixel, 0).rgb, bloom.bright.xyz);
-}
-
-/// The pixel's share of what its quad sends when bright pixels count less, times the quad's pixels: on flat areas, the
-/// pixel's own light.
-vec3 weighted_light_at(ivec2 pixel) {
-    ivec2 first = pixel & ~1;
-    float sum = 0.0;
-    float count = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 other = first + ivec2(i & 1, i >> 1);
-        if (any(greaterThanEqual(other, ivec2(bloom.size_px.xy)))) continue;
-        sum += firefly_weight(light_at(other));
-        count += 1.0;
-    }
-    vec3 light = light_at(pixel);
-    return light * (firefly_weight(light) * count / sum);
 }
 
 void main() {
@@ -39,11 +23,11 @@ void main() {
         float weight_y = float(texel_px) - abs(float(y) + 0.5 - centre.y);
         for (int x = first.x; x < end.x; ++x) {
             float weight = weight_y * (float(texel_px) - abs(float(x) + 0.5 - centre.x));
+            vec3 light = light_at(ivec2(x, y));
 #if FIREFLIES
-            sum += weight * weighted_light_at(ivec2(x, y));
-#else
-            sum += weight * light_at(ivec2(x, y));
+            weight *= firefly_weight(light);
 #endif
+            sum += weight * light;
             weights += weight;
         }
     }

@@ -20,7 +20,11 @@ vec3 glowing_light(vec3 scene, vec3 levels) {
     return glowing > 0.0 ? light * (glowing / y) : vec3(0.0);
 }
 
-/// Weight against lone bright pixels. Karis 2013, "Tone mapping".
+/// Luminance about which pixels begin to count less: twice what the glass of a street lamp shows at night.
+const float k_firefly_luminance = 16.0;
+
+/// Weight of a pixel among those that are averaged: a lone one, however bright, counts no more than one of the luminance
+/// above, and where all are alike their mean is what it was. Karis 2013, "Tone mapping", with 1 for that luminance.
 float firefly_weight(vec3 light) {
-    return 1.0 / (1.0 + luminance(light));
+    return 1.0 / (1.0 + luminance(light) / k_firefly_luminance);
 }

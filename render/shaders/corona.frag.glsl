@@ -14,6 +14,6 @@ void main() {
     float apart = smoothstep(0.0, 2.0 * lamp_deg, angle_deg);
     float needles = corona_needles(angle_deg, lamp_deg) * mix(1.0, corona_rays(turn), apart);
     float rim = 1.0 - smoothstep(0.6 * k_corona_deg, k_corona_deg, angle_deg);
-    vec3 light = illuminance * (k_corona_share * rim) * (needles + corona_halo(angle_deg));
+    vec3 light = illuminance * rim * (needles + corona_halo(angle_deg));
     out_light = vec4(min(light, vec3(k_max_radiance)), 0.0);
 }

@@ -2,8 +2,10 @@
 // for Digital Images": parts of the point-spread function of a dark-adapted eye, per steradian, by the angle in degrees.
 #include "constants.glsl"
 
-/// Share of what the eye would scatter that is drawn: a display's own light is scattered as well.
-const float k_corona_share = 0.04;
+/// Shares of what such an eye scatters that are drawn: eyes that look at a display scatter its light as well, and a ring
+/// of colours as strong as in the dark would be the first thing to be seen.
+const float k_needle_share = 0.1;
+const float k_halo_share = 0.012;
 /// Angle from a lamp up to which its corona is drawn.
 const float k_corona_deg = 5.0;
 
@@ -11,7 +13,7 @@ const float k_corona_deg = 5.0;
 /// @param lamp_deg  how large the lamp is seen, within which its light is spread
 float corona_needles(float angle_deg, float lamp_deg) {
     float spread_deg = angle_deg + lamp_deg + 0.02;
-    return 0.478 * 20.91 / (spread_deg * spread_deg * spread_deg);
+    return k_needle_share * 0.478 * 20.91 / (spread_deg * spread_deg * spread_deg);
 }
 
 /// The lenticular halo, a ring that is wider for red than for blue: 0.033·436.9·(568/λ)·exp(−19.75·(θ − 3·λ/568)²) at
@@ -19,7 +21,7 @@ float corona_needles(float angle_deg, float lamp_deg) {
 vec3 corona_halo(float angle_deg) {
     const vec3 wavelength = vec3(611.0, 549.0, 464.0) / 568.0;
     vec3 off_deg = angle_deg - 3.0 * wavelength;
-    return 0.033 * 436.9 / wavelength * exp(-19.75 * off_deg * off_deg);
+    return k_halo_share * 0.033 * 436.9 / wavelength * exp(-19.75 * off_deg * off_deg);
 }
 
 /// A number from 0 to 1 for each whole number.
@@ -27,10 +29,10 @@ float needle_length(float needle) {
     return fract(sin(needle * 12.9898) * 43758.5453);
 }
 
-/// Some hundred needles around, each brightest along its middle; 1 on average over all directions.
+/// Needles around, as many as pixels tell apart, each brightest along its middle; 1 on average over all directions.
 /// @param turn  direction, whole turns
 float corona_rays(float turn) {
-    const float needles = 90.0;
+    const float needles = 44.0;
     float place = fract(turn) * needles;
     float needle = floor(place);
     float across = 2.0 * (place - needle) - 1.0;

@@ -17,10 +17,12 @@ flat out float lamp_deg;      ///< how large half the lamp is seen
 
 /// What lamps are like: this far about their middle their own glass and iron may lie before it.
 const float k_lamp_radius_m = 0.25;
+/// What shines in it is this large.
+const float k_flame_radius_m = 0.06;
 /// Nearer lamps are seen as what they are.
 const float k_nearest_m = 0.5;
 /// Illuminance whose corona is not seen: a 2048th of display white, a degree from the lamp.
-const float k_least_illuminance = 1.0 / 2048.0 / (9.4 * k_corona_share);
+const float k_least_illuminance = 1.0 / 2048.0 / (9.4 * k_needle_share);
 const int k_looks_along_edge = 4;
 
 /// @return  share of the looks, spread over the lamp's square, at which nothing is before it
@@ -54,7 +56,7 @@ void main() {
     if (!(max(arriving.r, max(arriving.g, arriving.b)) > k_least_illuminance)) return;
     illuminance = arriving * share_seen(lamp_m);
     if (!(max(illuminance.r, max(illuminance.g, illuminance.b)) > k_least_illuminance)) return;
-    lamp_deg = degrees(atan(k_lamp_radius_m, distance_m));
+    lamp_deg = degrees(atan(k_flame_radius_m, distance_m));
     vec2 side = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
     place_deg = side * k_corona_deg;
     vec3 ahead = lamp_m / distance_m;

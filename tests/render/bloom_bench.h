@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <string_view>
 #include <vector>
 
 #include "render/gl/context.h"
@@ -33,11 +35,24 @@ struct Light {
     }
 };
 
+inline void fill(Light& light, glm::uvec2 low, glm::uvec2 high, glm::vec3 value) {
+    for (std::uint32_t y = low.y; y < high.y; ++y)
+        for (std::uint32_t x = low.x; x < high.x; ++x)
+            light.at(x, y) = glm::vec4{value, 0.0f};
+}
+
+inline constexpr std::array k_methods{render::BloomMethod::pyramid, render::BloomMethod::iterated,
+                                      render::BloomMethod::kawase, render::BloomMethod::dual};
+
+[[nodiscard]] inline std::string_view name_of(render::BloomMethod method) {
+    return render::k_bloom_methods[static_cast<std::size_t>(method)];
+}
+
 /// Bloom's passes alone, on scene colour that a test makes up.
 class BloomBench {
 public:
     BloomBench() {
-        settings.bloom = {.intensity = 1.0f};
+        settings.bloom = {.intensity = 1.0f, .fireflies = false};  // exact energies
         settings.anti_aliasing.method = render::AntiAliasing::none;
     }
 

@@ -1,8 +1,7 @@
-// Which light glows, how it is spread, and that nothing is drawn where nothing is bright.
+// Which light glows, and that nothing is drawn where nothing is bright.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <limits>
 
 #include "render/bloom_bench.h"
@@ -15,24 +14,13 @@ using namespace rambla;
 using render::BloomMethod;
 using tests::add;
 using tests::BloomBench;
-using tests::exact_spread_of_box;
+using tests::fill;
 using tests::Inputs;
+using tests::k_methods;
 using tests::Light;
-
-constexpr std::array k_methods{BloomMethod::pyramid, BloomMethod::iterated, BloomMethod::kawase,
-                               BloomMethod::dual};
-
-std::string_view name_of(BloomMethod method) {
-    return render::k_bloom_methods[static_cast<std::size_t>(method)];
-}
+using tests::name_of;
 
 constexpr double k_default_threshold = 1.5;
-
-void fill(Light& light, glm::uvec2 low, glm::uvec2 high, glm::vec3 value) {
-    for (std::uint32_t y = low.y; y < high.y; ++y)
-        for (std::uint32_t x = low.x; x < high.x; ++x)
-            light.at(x, y) = glm::vec4{value, 0.0f};
-}
 
 TEST(BloomBright, FollowsTheThresholdAndItsSoftKnee) {
     tests::ShaderHarness gpu;
@@ -85,86 +73,6 @@ TEST(BloomBright, KeepsColoursAndMakesNumbersOfWhatIsNone) {
     for (const std::size_t i : {7u, 8u}) {
         EXPECT_TRUE(std::isfinite(found[i].x));
         EXPECT_GT(found[i].x, 50000.0f);
-    }
-}
-
-TEST(Bloom, KeepsTheEnergyAndHasTheShapeOfThePointSpreadFunction) {
-    // Seven standard deviations of the widest Gaussian: what the border changes is below a thousandth.
-    constexpr glm::uvec2 k_size{1344, 1344};
-    BloomBench bench;
-    // Pixels away from the middles of texels, tiles and the picture; of odd and even distance to them.
-    for (const glm::uvec2 at : {glm::uvec2{667, 690}, {704, 641}}) {
-        Light scene{k_size};
-        fill(scene, at, at + 4u, glm::vec3{60000.0f});  // the tail shall be seen as far as it is summed up
-        const std::vector<double> exact =
-            exact_spread_of_box(k_size, at, at + 4u, 60000.0 - k_default_threshold);
-        for (const BloomMethod method : k_methods) {
-            bench.settings.bloom.method = method;
-            const Light glowing = bench.bloom(scene);
-            double energy = 0.0, squared_error = 0.0, square = 0.0;
-            for (std::size_t i = 0; i < exact.size(); ++i) {
-                const double found = double{glowing.texels[i].y} - double{scene.texels[i].y};
-                energy += found;
-                squared_error += (found - exact[i]) * (found - exact[i]);
-                square += exact[i] * exact[i];
-            }
-            EXPECT_NEAR(energy / (16.0 * (60000.0 - k_default_threshold)), 1.0, 0.01) << name_of(method);
-            const double error = std::sqrt(squared_error / square);
-            RecordProperty(std::string{name_of(method)}, std::to_string(error));
-            // What each method is able to. Half floats and the kernel's end leave the pyramid 1 %; the others
-            // are made of other Gaussians; iterated is far too narrow.
-            const double bound = method == BloomMethod::pyramid  ? 0.02
-                                 : method == BloomMethod::dual   ? 0.10
-                                 : method == BloomMethod::kawase ? 0.25
-                                                                 : 100.0;
-            EXPECT_LT(error, bound) << name_of(method) << " at " << at.x;
-        }
-    }
-}
-
-TEST(Bloom, OfIterationsIsAsWideAsTheirNumberSays) {
-    constexpr glm::uvec2 k_size{256, 256};
-    BloomBench bench;
-    bench.settings.bloom.method = BloomMethod::iterated;
-    for (const int passes : {1, 4}) {
-        bench.settings.bloom.passes = passes;
-        Light scene{k_size};
-        scene.at(121, 130).y = 60000.0f;
-        const Light glowing = bench.bloom(scene);
-        double sum = 0.0, variance = 0.0;
-        for (std::uint32_t y = 0; y < k_size.y; ++y) {
-            for (std::uint32_t x = 0; x < k_size.x; ++x) {
-                const double found = double{glowing.at(x, y).y} - double{scene.at(x, y).y};
-                const double off = static_cast<double>(x) - 121.0;
-                sum += found;
-                variance += found * off * off;
-            }
-        }
-        // Texels of two pixels; the tents that lead to half size and back add 0.1875 texels² each.
-        const double expected = 4.0 * (passes * variance_of(render::thirteen_tap_kernel()) + 2.0 * 0.1875);
-        EXPECT_NEAR(variance / sum, expected, 0.02 * expected) << passes << ": what is not seen is cut off";
-    }
-}
-
-TEST(Bloom, LeavesFlatAreasFlatUpToTheBorder) {
-    for (const glm::uvec2 size : {glm::uvec2{203, 117}, {64, 64}, {9, 1}, {1, 1}}) {
-        BloomBench bench;
-        const Light scene{size, glm::vec3{4.0f, 2.0f, 1.0f}};
-        const double y = 0.2126 * 4 + 0.7152 * 2 + 0.0722;
-        for (const BloomMethod method : k_methods) {
-            for (const bool fireflies : {false, true}) {
-                bench.settings.bloom.method = method;
-                bench.settings.bloom.fireflies = fireflies;
-                const Light glowing = bench.bloom(scene);
-                for (const glm::vec4& texel : glowing.texels)
-                    for (int c = 0; c < 3; ++c) {
-                        const double in = scene.texels[0][c];
-                        // Half floats keep 11 bits, and up to twenty steps round.
-                        ASSERT_NEAR(texel[c], in + in * (y - k_default_threshold) / y, 4e-3 * in)
-                            << name_of(method) << " " << size.x << "x" << size.y;
-                    }
-            }
-        }
     }
 }
 
@@ -261,23 +169,6 @@ TEST(Bloom, IsAddedToSmallFloatsToo) {
     }
 }
 
-TEST(Bloom, IsAsManyTimesWiderAsThePictureIsDrawnLarger) {
-    BloomBench bench;
-    const auto share_within = [&](std::uint32_t scale) {
-        Light scene{scale * glm::uvec2{320, 320}};
-        fill(scene, scale * glm::uvec2{157, 157}, scale * glm::uvec2{163, 163}, glm::vec3{1000.0f});
-        const Light glowing = bench.bloom(scene);
-        double within = 0.0;
-        for (std::uint32_t y = scale * 136; y < scale * 184; ++y)
-            for (std::uint32_t x = scale * 136; x < scale * 184; ++x)
-                within += double{glowing.at(x, y).y} - double{scene.at(x, y).y};
-        return within / glowing.more_than(scene);
-    };
-    const double small = share_within(1);
-    bench.settings.anti_aliasing = {.method = render::AntiAliasing::ssaa, .samples = 2};
-    EXPECT_NEAR(share_within(2), small, 0.005) << "the same texels, but for where pixels lie in them";
-}
-
 TEST(Bloom, MakesNoObjectBeforeItIsChosen) {
     BloomBench bench;
     bench.settings.bloom.method = BloomMethod::off;
@@ -291,53 +182,44 @@ TEST(Bloom, MakesNoObjectBeforeItIsChosen) {
     EXPECT_GT(render::gl::live_counts().objects, before);
 }
 
-/// A box of light that a pixel shows whose middle lies within, as a rasteriser draws it.
-Light box_from(double left, double edge_px) {
-    Light scene{{512, 512}};
-    const double bottom = 250.0 + 0.37;
-    const auto first = [](double edge) {
-        return static_cast<std::uint32_t>(std::ceil(edge - 0.5));
-    };
-    fill(scene, {first(left), first(bottom)}, {first(left + edge_px), first(bottom + edge_px)},
-         glm::vec3{2000.0f});
-    return scene;
+/// A white wall, in the sun or not, and a small lamp before it.
+struct Street {
+    Street() {
+        stage.place(stage.square(), stage.material(tests::matte(glm::vec3{0.5f})),
+                    glm::scale(glm::mat4{1.0f}, glm::vec3{20.0f}));
+        assets::Material glass = tests::matte(glm::vec3{0.0f});
+        glass.emissive = glm::vec3{1.0f};
+        lamp = stage.material(glass);
+        stage.place(
+            stage.square(), lamp,
+            glm::translate(glm::mat4{1.0f}, {0, 0, 0.5f}) * glm::scale(glm::mat4{1.0f}, glm::vec3{0.1f}));
+        stage.frame.environment = tests::only_sun({0, 0, 1});
+        stage.settings.bloom = {};
+    }
+    tests::Stage stage;
+    std::uint32_t lamp = 0;
+};
+
+TEST(Bloom, OfAStreetWithoutBrightPlacesIsThePictureWithoutIt) {
+    Street street;
+    const tests::Picture with = street.stage.draw();
+    EXPECT_TRUE(with.has_pass("bloom find"));
+    street.stage.settings.bloom.method = BloomMethod::off;
+    const tests::Picture without = street.stage.draw();
+    EXPECT_FALSE(without.has_pass("bloom find"));
+    EXPECT_EQ(with.bytes, without.bytes);
 }
 
-TEST(Bloom, FlickersNoMoreThanWhatItIsMadeOf) {
-    BloomBench bench;
-    for (const double edge_px : {1.0, 3.3, 8.0, 20.5}) {
-        std::vector<double> before_exact;
-        Light before{{1, 1}};
-        double worst = 0.0;
-        for (int step = 0; step < 72; ++step) {  // nine pixels: over more than a texel
-            const Light scene = box_from(240.13 + step / 8.0, edge_px);
-            const Light glowing = bench.bloom(scene);
-            glm::uvec2 low{512}, high{0};
-            for (std::uint32_t y = 0; y < 512; ++y)
-                for (std::uint32_t x = 0; x < 512; ++x)
-                    if (scene.at(x, y).y > 0.0f) {
-                        low = glm::min(low, glm::uvec2{x, y});
-                        high = glm::max(high, glm::uvec2{x + 1, y + 1});
-                    }
-            ASSERT_LT(low.x, high.x);
-            std::vector<double> exact =
-                exact_spread_of_box({512, 512}, low, high, 2000.0 - k_default_threshold);
-            Light light = glowing;
-            double energy = 0.0, change = 0.0, exact_change = 0.0;
-            for (std::size_t i = 0; i < exact.size(); ++i) {
-                light.texels[i] -= scene.texels[i];
-                energy += light.texels[i].y;
-                if (step == 0) continue;
-                change += std::fabs(light.texels[i].y - before.texels[i].y);
-                exact_change += std::fabs(exact[i] - before_exact[i]);
-            }
-            worst = std::max(worst, (change - exact_change) / energy);
-            before = std::move(light);
-            before_exact = std::move(exact);
-        }
-        RecordProperty("excess_of_" + std::to_string(edge_px), std::to_string(worst));
-        EXPECT_LT(worst, 0.01) << edge_px << " px";
-    }
+TEST(Bloom, IsSeenAboutALampAndNotInTheLightThatStudiesCompare) {
+    Street street;
+    street.stage.frame.environment = tests::only_sun({0, 0, 1}, glm::vec3{0.1f});
+    street.stage.scene.materials[street.lamp].emissive = glm::vec3{400.0f};
+    const tests::Picture with = street.stage.draw();
+    street.stage.settings.bloom.method = BloomMethod::off;
+    const tests::Picture without = street.stage.draw();
+    EXPECT_GT(with.display(64, 80).y, without.display(64, 80).y + 20);
+    EXPECT_GT(with.display(64, 80).y, with.display(64, 120).y) << "fainter farther away";
+    EXPECT_EQ(with.linear, without.linear) << "scene colour before bloom";
 }
 
 }  // namespace

@@ -109,15 +109,25 @@ TEST(UnusedEffects, LeaveTheFrameAsItWasToTheCallAndTheByte) {
             stage.frame.view.samples = 1;
             stage.frame.view.size_px /= 2u;
         });
-    for (const auto method :
-         {render::AntiAliasing::sobel, render::AntiAliasing::edges, render::AntiAliasing::morphological}) {
-        changes_and_comes_back(
-            render::k_anti_aliasing_methods[static_cast<std::size_t>(method)].data(),
-            [&] { settings.anti_aliasing.method = method; }, [&] { settings.anti_aliasing = {}; });
-    }
     changes_and_comes_back(
         "temporal anti-aliasing", [&] { settings.anti_aliasing.method = render::AntiAliasing::taa; },
         [&] { settings.anti_aliasing.method = render::AntiAliasing::fxaa; });
+    for (const auto method : {render::BloomMethod::pyramid, render::BloomMethod::iterated}) {
+        changes_and_comes_back(
+            render::k_bloom_methods[static_cast<std::size_t>(method)].data(),
+            [&] { settings.bloom.method = method; },
+            [&] { settings.bloom.method = render::BloomMethod::off; });
+    }
+    changes_and_comes_back(
+        "corona",
+        [&] {
+            stage.frame.lights = {lamp};
+            settings.bloom.corona = true;
+        },
+        [&] {
+            stage.frame.lights.clear();
+            settings.bloom.corona = false;
+        });
     changes_and_comes_back(
         "overdraw", [&] { settings.debug.view = render::DebugView::overdraw; },
         [&] { settings.debug.view = render::DebugView::off; });

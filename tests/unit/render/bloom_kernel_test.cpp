@@ -22,12 +22,17 @@ TEST(BloomKernel, SumsToOneAndHasTheVarianceAskedFor) {
     }
 }
 
-TEST(BloomKernel, OfThirteenTapsSumsToOneAndHasVarianceThree) {
+TEST(BloomKernel, OfThirteenTapsIsTheBinomialOfSixteenWithoutItsEnds) {
     const BlurKernel kernel = thirteen_tap_kernel();
     EXPECT_NEAR(sum(kernel), 1.0, 1e-12);
-    // Binomial coefficients of 12 over 2^12 would have variance 3; the published ones leave out the outermost
-    // two on each side, and share what those had.
-    EXPECT_NEAR(variance_of(kernel), 2.95, 0.05);
+    const double whole = 65536.0 - 2.0 * (1.0 + 16.0);
+    EXPECT_NEAR(kernel.middle, 12870.0 / whole, 1e-9);
+    EXPECT_NEAR(kernel.pairs[0].weight, (11440.0 + 8008.0) / whole, 1e-9);
+    EXPECT_NEAR(kernel.pairs[1].weight, (4368.0 + 1820.0) / whole, 1e-9);
+    EXPECT_NEAR(kernel.pairs[2].weight, (560.0 + 120.0) / whole, 1e-9);
+    EXPECT_NEAR(kernel.pairs[0].offset_texels, 1.0 + 8008.0 / (11440.0 + 8008.0), 1e-9);
+    const double cut_off = 2.0 * (1.0 * 64.0 + 16.0 * 49.0);
+    EXPECT_NEAR(variance_of(kernel), (65536.0 * 4.0 - cut_off) / whole, 1e-6);
 }
 
 TEST(BloomKernel, SumsToOneInTheFloatsThatShadersRead) {
