@@ -1,6 +1,7 @@
 #include "render/post/bloom_spread.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "render/shaders/shared/bindings.h"
@@ -97,9 +98,12 @@ shared::BloomStep blur_step(const BlurKernel& kernel, glm::vec2 axis) {
     shared::BloomStep step{};
     step.share = {1.0f, 1.0f, static_cast<float>(kernel.middle), 0.0f};
     step.axis = {axis, 0.0f, 0.0f};
-    for (std::size_t i = 0; i < kernel.pairs.size(); ++i)
-        step.taps[i] = {static_cast<float>(kernel.pairs[i].offset_texels),
-                        static_cast<float>(kernel.pairs[i].weight), 0.0f, 0.0f};
+    for (std::size_t i = 0; i < kernel.pairs.size(); ++i) {
+        const auto [offset, weight] = kernel.pairs[i];
+        const double farther = std::floor(offset) + 1.0;
+        step.taps[i] = {static_cast<float>(offset), static_cast<float>(weight),
+                        static_cast<float>(weight * (farther - offset)), static_cast<float>(farther)};
+    }
     return step;
 }
 

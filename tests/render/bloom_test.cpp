@@ -217,7 +217,7 @@ TEST(Bloom, IsSeenAboutALampAndNotInTheLightThatStudiesCompare) {
     const tests::Picture with = street.stage.draw();
     street.stage.settings.bloom.method = BloomMethod::off;
     const tests::Picture without = street.stage.draw();
-    EXPECT_GT(with.display(64, 80).y, without.display(64, 80).y + 20);
+    EXPECT_GT(with.display(64, 80).y, without.display(64, 80).y + 8);
     EXPECT_GT(with.display(64, 80).y, with.display(64, 120).y) << "fainter farther away";
     EXPECT_EQ(with.linear, without.linear) << "scene colour before bloom";
 }

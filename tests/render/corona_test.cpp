@@ -75,7 +75,7 @@ TEST(Corona, IsHiddenAsFarAsItsLampIs) {
         return ring(night.stage.draw(), 14.0).y;
     };
     const double half = place_wall(0.0f), none = place_wall(0.5f);
-    EXPECT_LT(half, 0.9 * whole);
+    EXPECT_LT(half, 0.95 * whole) << "bytes of bright light";
     EXPECT_GT(half, 0.2 * whole);
     EXPECT_LT(none, 1.0);
     EXPECT_NEAR(place_wall(-0.5f), whole, 0.01 * whole) << "beside it";

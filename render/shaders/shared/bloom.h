@@ -28,7 +28,8 @@ SHARED_CONSTANT k_bloom_tap_pairs = 5u;
 struct BloomStep {
     vec4 share;  // x: of what is read, y: of what it is added to, z: weight of a blur's middle; w: padding
     vec4 axis;   // xy: direction of a blur, or how far off the taps are; zw: padding
-    vec4 taps[k_bloom_tap_pairs];  // x: how far from the middle, y: weight on each side; zw: padding
+    vec4 taps[k_bloom_tap_pairs];  // on each side; x: how far from the middle, y: weight, z: the part of its
+                                   // nearer texel, w: how far off the farther one is
 };
 SHARED_END
 
