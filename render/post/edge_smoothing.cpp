@@ -11,9 +11,6 @@
 namespace rambla::render {
 namespace {
 
-/// Tiles that a workgroup looks at, along each axis; as in edge_tiles.comp.glsl.
-constexpr std::uint32_t k_group_tiles = 8;
-
 constexpr GLuint k_display_unit = UNIT_PASS;
 constexpr GLuint k_depth_unit = UNIT_PASS + 1;
 constexpr GLuint k_normal_unit = UNIT_PASS + 2;
@@ -64,7 +61,6 @@ void bind_sources(const PassContext& context, const FrameResources& resources, b
 
 void EdgeSmoothingPass::choose(const Choice& choice) {
     if (choice == choice_) return;
-    choice_ = choice;
     std::vector<std::pair<std::string, std::string>> defines;
     const auto define = [&](const char* name, bool value) {
         defines.emplace_back(name, value ? "1" : "0");
@@ -91,6 +87,7 @@ void EdgeSmoothingPass::choose(const Choice& choice) {
                               .fragment = shader_of(choice.method),
                               .compute = {},
                               .defines = std::move(defines)});
+    choice_ = choice;
 }
 
 void EdgeSmoothingPass::add(RenderGraph& graph, FrameResources& resources) {
@@ -137,7 +134,7 @@ void EdgeSmoothingPass::add_tiles(RenderGraph& graph, const FrameResources& reso
                 glBindImageTexture(0, context.texture(tiles_.edges), 0, GL_FALSE, 0, GL_WRITE_ONLY,
                                    GL_RG32UI);
             find_tiles_->use();
-            const glm::uvec2 groups = divided(grid, k_group_tiles);
+            const glm::uvec2 groups = divided(grid, EDGE_TILES_OF_GROUP);
             glDispatchCompute(groups.x, groups.y, 1);
         });
 }

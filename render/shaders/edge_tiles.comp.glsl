@@ -9,7 +9,7 @@
 #include "tile_neighbours.glsl"
 #endif
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = EDGE_TILES_OF_GROUP, local_size_y = EDGE_TILES_OF_GROUP) in;
 
 void main() {
     uvec2 tile = gl_GlobalInvocationID.xy;

@@ -1,6 +1,7 @@
 // How far a line of edges goes from a pixel, and how it ends. Includers declare `edges`, the texture of words that
 // line_bits.glsl describes, and k_words, tiles that a search looks at. Places on a line are (along, across): (x, y) on lines
-// along rows, (y, x) on lines along columns.
+// along rows, (y, x) on lines along columns. Searches are loops of unknown length: others are unrolled, and where
+// branches do not save work, they take their full length for every pixel.
 #include "line_bits.glsl"
 
 /// The rim of a line's stretch of edges.

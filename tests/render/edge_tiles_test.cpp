@@ -74,7 +74,8 @@ private:
         glBindSampler(UNIT_PASS, nearest.name());
         glBindImageTexture(0, edges.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32UI);
         program.use();
-        glDispatchCompute((grid.x + 7) / 8, (grid.y + 7) / 8, 1);
+        glDispatchCompute((grid.x + EDGE_TILES_OF_GROUP - 1) / EDGE_TILES_OF_GROUP,
+                          (grid.y + EDGE_TILES_OF_GROUP - 1) / EDGE_TILES_OF_GROUP, 1);
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         glGetNamedBufferSubData(buffer.name(), 0,
                                 static_cast<GLsizeiptr>(list.size() * sizeof(std::uint32_t)), list.data());

@@ -168,6 +168,25 @@ TEST(UnusedEffects, AutomaticExposureKeepsOneBufferAndWhatReadsItBack) {
     EXPECT_EQ(objects(), fixed + 4) << "programs stay";
 }
 
+TEST(UnusedEffects, AntiAliasingLeavesNothingInTheFramesAfterIt) {
+    Stage stage;
+    stage.frame.view.size_px = {32, 32};
+    stage.place(stage.square(), stage.material(matte()));
+    stage.settings.anti_aliasing.method = render::AntiAliasing::none;
+    static_cast<void>(stage.draw());
+    const Held plain = settled(stage);
+    for (const auto method : {render::AntiAliasing::sobel, render::AntiAliasing::edges,
+                              render::AntiAliasing::fxaa, render::AntiAliasing::morphological}) {
+        const char* const name = render::k_anti_aliasing_methods[static_cast<std::size_t>(method)].data();
+        stage.settings.anti_aliasing.method = method;
+        const Held with = settled(stage);
+        EXPECT_GT(with.calls, plain.calls) << name;
+        EXPECT_GT(with.bytes, plain.bytes) << name;
+        stage.settings.anti_aliasing.method = render::AntiAliasing::none;
+        EXPECT_EQ(settled(stage), plain) << name;
+    }
+}
+
 TEST(UnusedEffects, AntiAliasingIsMadeWhenItIsChosen) {
     Stage stage;
     stage.place(stage.square(), stage.material(matte()));

@@ -5,6 +5,10 @@
 
 #include "render/shaders/shared/types.h"
 
+// Tiles along either side of a workgroup that looks for edges. A macro, since it stands in a layout
+// qualifier.
+#define EDGE_TILES_OF_GROUP 8
+
 SHARED_BEGIN
 
 // Pixels along a tile's edge. Small, since edges are everywhere in a street and thin: of its pixels, 27 % lie
