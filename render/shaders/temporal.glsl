@@ -33,10 +33,10 @@ struct ColourBox {
 /// lose their share of it whenever the sample falls to the other side.
 const float k_box_deviations = 1.25;
 
-/// Salvi 2016, "An excursion in temporal supersampling". @param sum, sum2  of nine colours, and of their squares
+/// Salvi 2016, "An excursion in temporal supersampling". @param sum, sum2  of a pixel and its four neighbours, and of their squares
 ColourBox colour_box(vec3 low, vec3 high, vec3 sum, vec3 sum2) {
-    vec3 mean = sum / 9.0;
-    vec3 reach = k_box_deviations * sqrt(max(sum2 / 9.0 - mean * mean, vec3(0.0)));
+    vec3 mean = sum / 5.0;
+    vec3 reach = k_box_deviations * sqrt(max(sum2 / 5.0 - mean * mean, vec3(0.0)));
     return ColourBox(max(low, mean - reach), min(high, mean + reach));
 }
 

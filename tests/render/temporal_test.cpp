@@ -32,17 +32,19 @@ double share_below(double x, double y, double slope, double offset) {
     return below;
 }
 
-TEST(TemporalAntiAliasing, AnEdgeAtRestConvergesToWhatItCovers) {
+class EdgeAtRest : public testing::TestWithParam<float> {};
+
+TEST_P(EdgeAtRest, ConvergesToWhatItCovers) {
     World world;
-    const float angle = std::atan(0.13f);
+    const float angle = std::atan(GetParam());
     world.place(world.glowing(glm::vec3{0.1f}), {-90, -90}, {90, 90}, 0.0f);
     world.place(world.glowing(glm::vec3{2.0f}), {-120, -120}, {120, 0}, 1.0f, angle);
     const auto error_of = [&](const Picture& picture, double& worst) {
         double sum2 = 0.0;
         int count = 0;
         worst = 0.0;
-        for (int x = -60; x < 60; ++x) {
-            for (int y = -10; y < 10; ++y) {
+        for (int x = -50; x < 50; ++x) {
+            for (int y = -60; y < 60; ++y) {
                 const double share = share_below(x, y, std::tan(angle), 0.0);
                 if (share <= 0.0 || share >= 1.0) continue;
                 const double radiance =
@@ -61,18 +63,21 @@ TEST(TemporalAntiAliasing, AnEdgeAtRestConvergesToWhatItCovers) {
     const double first = error_of(world.after(1), worst_first);
     EXPECT_GT(first, 0.25) << "one sample is all or nothing";
     Picture settled = world.after(k_settling_frames);
-    // Eight samples know a share to a sixteenth; the mean weighs the latest sample by a twentieth, the oldest
-    // by 0.95^7 of that.
+    // Eight samples of the sequence, the latest weighed by a twentieth and the oldest by 0.95^7 of that, know
+    // the share of a half plane to 0.064 (root of the mean square) and 0.19, by a sum over all directions and
+    // distances; the box of colours around the pixel takes away a little of what an edge nearly fills.
     for (std::uint32_t i = 0; i < render::k_jitter_length; ++i) {
-        EXPECT_LT(error_of(settled, worst), 0.06) << i;
-        EXPECT_LT(worst, 0.16) << i;
+        EXPECT_LT(error_of(settled, worst), 0.075) << i;
+        EXPECT_LT(worst, 0.22) << i;
         settled = world.stage.draw_next();
     }
     // Long after, it is still there: repeated rounding and the mean of the jitter move nothing.
     for (int i = 0; i < 400; ++i)
         static_cast<void>(world.stage.redraw());
-    EXPECT_LT(error_of(world.stage.draw_next(), worst), 0.06);
+    EXPECT_LT(error_of(world.stage.draw_next(), worst), 0.075);
 }
+
+INSTANTIATE_TEST_SUITE_P(TemporalAntiAliasing, EdgeAtRest, testing::Values(0.0317f, 0.13f, 0.57f, 1.0f));
 
 /// A wall whose texels are as large as pixels must show them as one picture without jitter does, to the grey
 /// that a box of one pixel makes of two neighbours that it lies between.
@@ -223,7 +228,6 @@ TEST(TemporalAntiAliasing, AThinLineFlickersLessAndDoesNotVanish) {
     double mean_without = 0.0, mean = 0.0;
     const double without = flicker_of(render::AntiAliasing::none, mean_without);
     const double with = flicker_of(render::AntiAliasing::taa, mean);
-    std::printf("flicker %.3f of %.3f mean %.3f of %.3f\n", with, without, mean, mean_without);
     EXPECT_GT(without, 0.5) << "half of the time it falls between the samples";
     EXPECT_LT(with, 0.4 * without);
     EXPECT_GT(mean, 0.6 * 0.5);
