@@ -132,7 +132,7 @@ TEST(MotionHistory, KnowsSkinsByTheirJoints) {
     ASSERT_EQ(moved.count(), 1u);
     ASSERT_EQ(moved.joints.size(), 3u) << "all those of the moment before";
     EXPECT_EQ(moved.instances[0].joints, 1u);
-    EXPECT_EQ(moved.instances[1].joints, 3u + 1u) << "behind the Frame's three";
+    ASSERT_EQ(moved.instances[1].joints, 3u + 1u) << "behind the Frame's three";
     EXPECT_EQ(moved.joints[moved.instances[1].joints - 3u + 1u].row0.w, 1.0f) << "where the hand was";
 }
 
