@@ -17,7 +17,7 @@ constexpr std::uint32_t k_frames_to_hold_nothing_else = 10;
 constexpr std::uint32_t k_moment_frames = 2;
 /// Of a history that keeps 0.95 each time 4 % are left then.
 constexpr std::uint32_t k_settling_frames = 64;
-constexpr std::uint32_t k_quick_settling_frames = 8;
+constexpr std::uint32_t k_quick_settling_frames = 4;
 
 constexpr std::array<std::string_view, 13> k_grades{"none",
                                                     "sobel:of=colour",

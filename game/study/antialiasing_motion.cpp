@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint32_t k_reference_samples = 4;
 
 constexpr std::uint32_t k_turned_frames = 9;
-constexpr std::uint32_t k_quick_turned_frames = 3;
+constexpr std::uint32_t k_quick_turned_frames = 2;
 /// Of a pixel per frame, sideways and up: no fraction of each other, so that edges of all directions pass
 /// pixels' middles at different times.
 constexpr float k_sideways_px = 0.125f;
@@ -32,7 +32,7 @@ constexpr double k_flicker_tolerance = 0.15;
 
 constexpr std::uint32_t k_candidate_eyes = 16;
 constexpr std::uint32_t k_walked_frames = 30;
-constexpr std::uint32_t k_quick_walked_frames = 6;
+constexpr std::uint32_t k_quick_walked_frames = 4;
 /// Of a history that keeps 0.95 a third is left then: what takes so long to go is seen.
 constexpr std::uint32_t k_longest_trail_frames = 24;
 /// Of the display's range: two and a half steps of a byte, which nobody sees in a pixel that changes.

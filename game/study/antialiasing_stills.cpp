@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "game/study/antialiasing_grades.h"
-#include "game/study/crop.h"
 #include "game/study/geometric_edges.h"
 #include "game/study/metrics/flip.h"
 #include "game/study/metrics/psnr.h"
 #include "game/study/metrics/smoothing.h"
 #include "game/study/picture_error.h"
+#include "game/study/picture_part.h"
 
 namespace rambla::game::study {
 namespace {
@@ -24,7 +24,7 @@ constexpr std::uint32_t k_edge_samples = 2;
 /// A pixel that an edge crosses, its neighbours, and what a method blends into those.
 constexpr double k_edges_within_px = 1.5;
 constexpr double k_textures_beyond_px = 3.0;
-constexpr glm::uvec2 k_crop_px{160, 120};
+constexpr glm::uvec2 k_part_px{160, 120};
 constexpr std::uint32_t k_enlarged = 3;
 
 /// What one eye should see.
@@ -71,43 +71,44 @@ std::vector<Metric> metrics_of(const Expected& expected, const Picture& plain, c
         {"psnr_db", psnr_db(expected.picture, test), "dB"}};
 }
 
-/// Where the picture without anti-aliasing is worst at edges, or textures have most to lose.
-Crop shown_crop(const Expected& expected, const Picture& plain, Stills::Shown shown) {
-    const glm::uvec2 size_px{plain.width, plain.height};
-    std::vector<float> weights(plain.texels.size(), 0.0f);
-    const bool edges = shown == Stills::Shown::edges;
-    const std::vector<std::uint8_t>& region = edges ? expected.regions.edges : expected.regions.textures;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        if (region[i] == 0) continue;
-        const bool has_left = i % size_px.x > 0;
-        const glm::vec3 other = edges ? expected.picture.texels[i] : plain.texels[has_left ? i - 1 : i];
-        const glm::vec3 difference = glm::abs(plain.texels[i] - other);
-        weights[i] = difference.x + difference.y + difference.z;
-    }
-    return heaviest_crop(size_px, weights, k_crop_px);
+/// Corner of the part where the picture without anti-aliasing is most wrong within the region that is shown.
+glm::uvec2 shown_corner(const Expected& expected, const assets::Image& plain, Stills::Shown shown) {
+    const PixelRegions& regions = expected.regions;
+    const std::vector<std::uint8_t>& region =
+        shown == Stills::Shown::edges ? regions.edges : regions.textures;
+    constexpr std::size_t k_texel = 4;
+    assets::Image within = expected.image;
+    for (std::size_t i = 0; i < region.size(); ++i)
+        if (region[i] != 0)
+            std::copy_n(plain.texels.begin() + static_cast<std::ptrdiff_t>(k_texel * i), k_texel,
+                        within.texels.begin() + static_cast<std::ptrdiff_t>(k_texel * i));
+    return most_different_part(expected.image, within, k_part_px);
 }
 
 using MetricsOfEyes = std::vector<std::vector<Metric>>;
 
-/// Compares the pictures of one eye; shows crops of them if `row` is there.
+/// Compares the pictures of one eye; shows parts of them if `row` is there.
 void compare(StudyContext& context, Stage& stage, const systems::Eye& eye,
              const std::vector<PictureGrade>& grades, Stills::Shown shown, PictureRow* row,
              std::vector<MetricsOfEyes>& metrics) {
     const Expected expected = expected_at(context, stage, eye);
     Picture plain;
-    Crop crop;
+    glm::uvec2 corner{0};
+    const auto show_part = [&](std::string label, const assets::Image& image) {
+        if (row != nullptr)
+            row->pictures.push_back(
+                {std::move(label), enlarged(part_of(image, corner, k_part_px), k_enlarged)});
+    };
     for (std::size_t i = 0; i < grades.size() && !context.stopped(); ++i) {
         const assets::Image image = display_of(context, stage, grades[i], eye);
         const Picture picture = to_picture(image);
         if (i == 0) {
             plain = picture;
-            crop = shown_crop(expected, plain, shown);
-            if (row != nullptr)
-                row->pictures.push_back({fmt::format("reference, ssaa:samples={}", k_reference_samples),
-                                         enlarged(expected.image, crop, k_enlarged)});
+            corner = shown_corner(expected, image, shown);
+            show_part(fmt::format("reference, ssaa:samples={}", k_reference_samples), expected.image);
         }
         metrics[i].push_back(metrics_of(expected, plain, picture));
-        if (row != nullptr) row->pictures.push_back({grades[i].name, enlarged(image, crop, k_enlarged)});
+        show_part(grades[i].name, image);
     }
 }
 
@@ -140,7 +141,7 @@ void measure_stills(StudyContext& context, Stage& stage, const Stills& stills, S
             grade.metrics.push_back(std::move(metric));
         result.grades.push_back(std::move(grade));
     }
-    result.pictures.push_back(std::move(row));
+    if (!row.pictures.empty()) result.pictures.push_back(std::move(row));
 }
 
 }  // namespace rambla::game::study

@@ -57,4 +57,22 @@ glm::uvec2 most_different_part(const assets::Image& a, const assets::Image& b, g
     return best;
 }
 
+assets::Image enlarged(const assets::Image& image, std::uint32_t times) {
+    const std::size_t texel = assets::bytes_per_texel(image.format);
+    assets::Image large{.name = image.name,
+                        .width = times * image.width,
+                        .height = times * image.height,
+                        .format = image.format,
+                        .texels = {}};
+    large.texels.reserve(texel * large.width * large.height);
+    for (std::size_t y = 0; y < large.height; ++y) {
+        for (std::size_t x = 0; x < large.width; ++x) {
+            const auto from = image.texels.begin() +
+                              static_cast<std::ptrdiff_t>(texel * (y / times * image.width + x / times));
+            large.texels.insert(large.texels.end(), from, from + static_cast<std::ptrdiff_t>(texel));
+        }
+    }
+    return large;
+}
+
 }  // namespace rambla::game::study

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 
 #include "assets/image.h"
@@ -15,5 +16,8 @@ namespace rambla::game::study {
 /// @param a, b  rgba8, of one size
 [[nodiscard]] glm::uvec2 most_different_part(const assets::Image& a, const assets::Image& b,
                                              glm::uvec2 size_px);
+
+/// Each pixel as a square of `times` × `times`.
+[[nodiscard]] assets::Image enlarged(const assets::Image& image, std::uint32_t times);
 
 }  // namespace rambla::game::study

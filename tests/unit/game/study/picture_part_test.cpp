@@ -42,5 +42,18 @@ TEST(PicturePart, TheMostDifferentOneHoldsTheDifference) {
     EXPECT_EQ(most_different_part(a, b, {256, 256}), glm::uvec2(0)) << "all of it";
 }
 
+TEST(PicturePart, EnlargedRepeatsItsPixels) {
+    const assets::Image small = counted(4, 3);
+    const assets::Image large = enlarged(small, 3);
+    ASSERT_EQ(large.width, 12u);
+    ASSERT_EQ(large.height, 9u);
+    ASSERT_EQ(large.texels.size(), std::size_t{12} * 9 * 4);
+    for (std::size_t y = 0; y < 9; ++y)
+        for (std::size_t x = 0; x < 12; ++x)
+            for (std::size_t channel = 0; channel < 4; ++channel)
+                EXPECT_EQ(large.texels[4 * (12 * y + x) + channel],
+                          small.texels[4 * (4 * (y / 3) + x / 3) + channel]);
+}
+
 }  // namespace
 }  // namespace rambla::game::study
