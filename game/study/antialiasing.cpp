@@ -14,11 +14,14 @@ constexpr std::uint32_t k_rounds = 7;
 constexpr glm::uvec2 k_size_px{960, 540};
 /// Sequences are of hundreds of pictures.
 constexpr glm::uvec2 k_sequence_px{640, 360};
-/// From the way of the walk down to the paving before one's feet.
+/// From the way of the walk down to the pavement on the right, whose tiles are the finest pattern of the
+/// street.
 constexpr float k_look_down_rad = -0.9f;
+constexpr float k_look_right_rad = -0.8f;
 
 systems::Eye looking_down(systems::Eye eye) {
-    eye.rotation = eye.rotation * glm::angleAxis(k_look_down_rad, glm::vec3{1, 0, 0});
+    eye.rotation = glm::angleAxis(k_look_right_rad, glm::vec3{0, 1, 0}) * eye.rotation *
+                   glm::angleAxis(k_look_down_rad, glm::vec3{1, 0, 0});
     return eye;
 }
 
