@@ -40,10 +40,11 @@ struct LightingPathsProgram : testing::Test {
     ScratchFolder scratch;
 
     nlohmann::json walk(const std::string& path, std::vector<std::string> scene) {
-        std::vector<std::string> arguments{"walk",       "--headless", "--frames", "1",    "--profile-frames",
-                                           "0",          "--size",     "480x270",  "--aa", "none",
-                                           "--lighting", path,         "-o",       path,   "--json",
-                                           "-",          "--exposure", "fixed",    "--bloom", "off"};
+        std::vector<std::string> arguments{
+            "walk",       "--headless", "--frames", "1",       "--profile-frames",
+            "0",          "--size",     "480x270",  "--aa",    "none",
+            "--lighting", path,         "-o",       path,      "--json",
+            "-",          "--exposure", "fixed",    "--bloom", "off"};
         arguments.insert(arguments.end(), scene.begin(), scene.end());
         const Ended ended = rambla(arguments, scratch.path());
         EXPECT_EQ(ended.exit_code, 0) << ended.err;

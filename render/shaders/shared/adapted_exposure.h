@@ -19,9 +19,9 @@ struct AdaptedExposure {
 struct ExposureStep {
     vec4 follows;  // x, y: share of the way to a brighter, or darker, picture that this frame goes; z: key,
                    // w: strength
-    vec4 bounds;  // x: farthest departure in EV; y: δ; z: what divides the sum to make it a mean; w: pixels
-                  // for one counted
-    vec4 curve;   // x: scene light that becomes white, unless it is estimated; yzw: padding
+    vec4 bounds;   // x: farthest departure in EV; y: δ; z: what divides the sum to make it a mean; w: pixels
+                   // for one counted
+    vec4 curve;    // x: scene light that becomes white, unless it is estimated; yzw: padding
 };
 SHARED_END
 
