@@ -24,9 +24,10 @@ layout(binding = UNIT_PASS + 2) uniform sampler2D normal_target;
 /// World axes; outside of the picture, that of its border.
 vec3 source_normal(ivec2 pixel) {
     ivec2 place = clamp(pixel, ivec2(0), textureSize(normal_target, 0) - 1);
+    // Where nothing is, nothing is stored but what memory held; depth finds the edges of that.
+    if (texelFetch(depth_target, place, 0).x <= 0.0) return vec3(0.0, 0.0, 1.0);
     vec4 stored = texelFetch(normal_target, place, 0);
 #if GBUFFER_WIDE
-    // Where nothing is, nothing is stored; depth finds the edges of that.
     return dot(stored.xyz, stored.xyz) > 0.0 ? normalize(stored.xyz) : vec3(0.0, 0.0, 1.0);
 #else
     return normal_from_stored(stored.xy);
