@@ -6,39 +6,23 @@
 #include <string_view>
 #include <vector>
 
-#include "render/gl/context.h"
-#include "render/graph/graph.h"
+#include "render/pass_bench.h"
 #include "render/post/bloom.h"
-#include "render/scene_store.h"
 
 namespace rambla::tests {
 
-/// Light by pixel, row-major, as a texture holds it.
-struct Light {
-    glm::uvec2 size{0};
-    std::vector<glm::vec4> texels;
-
-    explicit Light(glm::uvec2 size_px, glm::vec3 light = glm::vec3{0.0f})
-        : size{size_px}, texels(std::size_t{size_px.x} * size_px.y, glm::vec4{light, 0.0f}) {}
-    [[nodiscard]] glm::vec4& at(std::uint32_t x, std::uint32_t y) {
-        return texels[std::size_t{y} * size.x + x];
-    }
-    [[nodiscard]] const glm::vec4& at(std::uint32_t x, std::uint32_t y) const {
-        return texels[std::size_t{y} * size.x + x];
-    }
-    /// Sum over the pixels of what this has and `other` has not.
-    [[nodiscard]] double more_than(const Light& other) const {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < texels.size(); ++i)
-            sum += double{texels[i].y} - double{other.texels[i].y};
-        return sum;
-    }
-};
+/// Sum over the pixels of what `light` has and `other` has not.
+[[nodiscard]] inline double more_than(const Light& light, const Light& other) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < light.texels.size(); ++i)
+        sum += double{light.texels[i].y} - double{other.texels[i].y};
+    return sum;
+}
 
 inline void fill(Light& light, glm::uvec2 low, glm::uvec2 high, glm::vec3 value) {
     for (std::uint32_t y = low.y; y < high.y; ++y)
         for (std::uint32_t x = low.x; x < high.x; ++x)
-            light.at(x, y) = glm::vec4{value, 0.0f};
+            light.at(x, y) = value;
 }
 
 inline constexpr std::array k_methods{render::BloomMethod::pyramid, render::BloomMethod::iterated,
@@ -50,48 +34,39 @@ inline constexpr std::array k_methods{render::BloomMethod::pyramid, render::Bloo
 
 /// Bloom's passes alone, on scene colour that a test makes up.
 class BloomBench {
+    PassBench bench_;
+
 public:
     BloomBench() {
         settings.bloom = {.intensity = 1.0f, .fireflies = false};  // exact energies
         settings.anti_aliasing.method = render::AntiAliasing::none;
     }
 
+    render::Settings& settings = bench_.settings;
+
     /// Scene colour with bloom.
     /// @param format  of scene colour; floats of 32 bits keep what bloom adds to something bright
     [[nodiscard]] Light bloom(const Light& scene, GLenum format = GL_RGBA32F) {
-        const render::gl::Texture texture{"scene colour", {.format = format, .size = scene.size}};
-        const auto width = static_cast<GLsizei>(scene.size.x), height = static_cast<GLsizei>(scene.size.y);
-        glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, scene.texels.data());
+        const render::gl::Texture texture = upload(scene, format);
         systems::Frame frame;
         frame.view.size_px = scene.size;
-        render::DrawCounts counts;
-        stream_.begin_frame();
-        graph_.begin_frame();
-        render::FrameResources resources{.frame = frame,
-                                         .view = frame.view,
-                                         .settings = settings,
-                                         .scene = store_,
-                                         .samplers = samplers_,
-                                         .stream = stream_,
-                                         .opaque = nothing_,
-                                         .blended = nothing_,
-                                         .counts = counts};
-        resources.scene_colour = graph_.import_texture("scene colour", texture, true);
-        pass_.add(graph_, resources);
         GLuint query = 0;
         glGenQueries(1, &query);
         glBeginQuery(GL_SAMPLES_PASSED, query);
-        graph_.execute();
+        bench_.run(frame, false, [&](render::RenderGraph& graph, render::FrameResources& resources) {
+            resources.scene_colour = graph.import_texture("scene colour", texture, true);
+            pass_.add(graph, resources);
+        });
         glEndQuery(GL_SAMPLES_PASSED);
         glGetQueryObjectui64v(query, GL_QUERY_RESULT, &fragments_);
         glDeleteQueries(1, &query);
-        stream_.end_frame();
         Light result{scene.size};
-        glGetTextureImage(texture.name(), 0, GL_RGBA, GL_FLOAT,
-                          static_cast<GLsizei>(result.texels.size() * sizeof(glm::vec4)),
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glGetTextureImage(texture.name(), 0, GL_RGB, GL_FLOAT,
+                          static_cast<GLsizei>(result.texels.size() * sizeof(glm::vec3)),
                           result.texels.data());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);  // the bound one loses its texture
-        context_.check_errors();
+        bench_.check_errors();
         return result;
     }
 
@@ -99,22 +74,7 @@ public:
     [[nodiscard]] GLuint64 fragments() const { return fragments_; }
 
 private:
-    render::gl::Context context_{{}, true};
-
-public:
-    render::Settings settings;
-
-private:
-    render::gl::ProgramRegistry programs_{render::embedded_shader};
-    render::SceneStore store_;
-    render::gl::StreamBuffer stream_{"stream", 1 << 16};
-    render::PassSamplers samplers_{
-        .nearest = render::gl::Sampler{"nearest", {}},
-        .linear = render::gl::Sampler{"linear", {.minify = GL_LINEAR, .magnify = GL_LINEAR}},
-        .depth_compare = {}};
-    render::DrawList nothing_;
-    render::BloomPass pass_{programs_};
-    render::RenderGraph graph_;
+    render::BloomPass pass_{bench_.programs()};
     GLuint64 fragments_ = 0;
 };
 

@@ -87,7 +87,7 @@ TEST(Bloom, DrawsNothingWhereNothingIsBright) {
         EXPECT_EQ(glowing.texels, scene.texels) << name_of(method);
     }
     Light lamp = scene;
-    lamp.at(17, 120) = glm::vec4{20.0f};
+    lamp.at(17, 120) = glm::vec3{20.0f};
     bench.settings.bloom.method = BloomMethod::pyramid;
     static_cast<void>(bench.bloom(lamp));
     EXPECT_GT(bench.fragments(), 0u) << "the count counts";
@@ -102,7 +102,7 @@ TEST(Bloom, IsTheSameWhereAllTilesAreBright) {
     Light everywhere = scene;
     for (std::uint32_t y = 5; y < 256; y += 64)
         for (std::uint32_t x = 5; x < 320; x += 64)
-            everywhere.at(x, y) = glm::vec4{0.7502f};  // glows by 1e-8, which its tile does not know
+            everywhere.at(x, y) = glm::vec3{0.7502f};  // glows by 1e-8, which its tile does not know
     for (const BloomMethod method : k_methods) {
         bench.settings.bloom.method = method;
         const Light few = bench.bloom(scene);
@@ -128,8 +128,8 @@ TEST(Bloom, TakesAnUnsoundPixelForABlackOne) {
             for (const float unsound : {nan, -inf, -65504.0f, 1e-8f}) {
                 Light black = scene, hurt = scene;
                 for (const glm::uvec2 at : {glm::uvec2{95, 70}, {0, 0}, {199, 159}, {20, 90}}) {
-                    black.at(at.x, at.y) = glm::vec4{0.0f};
-                    hurt.at(at.x, at.y) = glm::vec4{unsound};
+                    black.at(at.x, at.y) = glm::vec3{0.0f};
+                    hurt.at(at.x, at.y) = glm::vec3{unsound};
                 }
                 const Light expected = bench.bloom(black, GL_RGBA16F), found = bench.bloom(hurt, GL_RGBA16F);
                 int different = 0;
@@ -139,7 +139,7 @@ TEST(Bloom, TakesAnUnsoundPixelForABlackOne) {
             }
         }
         Light infinite = scene;
-        infinite.at(20, 90) = glm::vec4{inf};
+        infinite.at(20, 90) = glm::vec3{inf};
         const Light found = bench.bloom(infinite, GL_RGBA16F);
         for (std::size_t i = 0; i < found.texels.size(); ++i)
             ASSERT_TRUE(std::isfinite(found.texels[i].x) || i == 90 * 200 + 20) << name_of(method);

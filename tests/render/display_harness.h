@@ -1,31 +1,19 @@
 #pragma once
 
-#include <cstring>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "render/capture.h"
-#include "render/gl/context.h"
 #include "render/gl/framebuffer.h"
-#include "render/gl/program.h"
-#include "render/pass_context.h"
+#include "render/pass_bench.h"
 #include "render/post/exposure.h"
 #include "render/post/luminance.h"
 #include "render/post/tonemap.h"
-#include "render/shader_source.h"
 #include "render/shaders/shared/adapted_exposure.h"
 
 namespace rambla::tests {
-
-/// Scene light of a picture, and its size.
-struct Light {
-    glm::uvec2 size{1};
-    std::vector<glm::vec3> texels;  ///< row-major, lowest row first
-
-    Light(glm::uvec2 of, glm::vec3 all) : size{of}, texels(std::size_t{of.x} * of.y, all) {}
-};
 
 /// What became of a picture.
 struct Shown {
@@ -43,6 +31,8 @@ struct Shown {
 
 /// Runs the passes from scene colour to display over given light.
 class DisplayHarness {
+    PassBench bench_;
+
 public:
     DisplayHarness() {
         settings.exposure.mode = render::ExposureMode::automatic;
@@ -50,7 +40,7 @@ public:
         settings.tone.dither = false;
     }
 
-    render::Settings settings;
+    render::Settings& settings = bench_.settings;
     bool cut = false;
 
     /// The next frame. @param format  of scene colour
@@ -66,51 +56,31 @@ public:
         target.colours[0] = {.texture = backbuffer.name()};
         const render::gl::Framebuffer framebuffer{"display harness", target};
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-        graph_.begin_frame();
-        stream_.begin_frame();
-        render::FrameResources resources{.frame = frame,
-                                         .view = frame.view,
-                                         .settings = settings,
-                                         .scene = scene_,
-                                         .samplers = samplers_,
-                                         .stream = stream_,
-                                         .opaque = nothing_,
-                                         .blended = nothing_,
-                                         .counts = counts_,
-                                         .cut = cut};
-        resources.scene_colour = graph_.import_texture("scene colour", scene_colour, true);
-        resources.backbuffer = graph_.import_texture("backbuffer", backbuffer, true);
-        luminance_.add(graph_, resources);
-        exposure_.add(graph_, resources);
-        tonemap_.add(graph_, resources);
         Shown shown;
-        if (resources.adapted_exposure.valid()) read_exposure(resources, shown.exposure.emplace());
-        graph_.execute();
-        stream_.end_frame();
+        bench_.run(frame, cut, [&](render::RenderGraph& graph, render::FrameResources& resources) {
+            resources.scene_colour = graph.import_texture("scene colour", scene_colour, true);
+            resources.backbuffer = graph.import_texture("backbuffer", backbuffer, true);
+            luminance_.add(graph, resources);
+            exposure_.add(graph, resources);
+            tonemap_.add(graph, resources);
+            if (resources.adapted_exposure.valid()) read_exposure(resources, shown.exposure.emplace());
+        });
         shown.bytes.resize(4 * light.texels.size());
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glGetTextureImage(backbuffer.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
                           static_cast<GLsizei>(shown.bytes.size()), shown.bytes.data());
-        for (const render::PassCost& pass : graph_.take_cost().passes)
+        for (const render::PassCost& pass : bench_.graph().take_cost().passes)
             shown.passes.emplace_back(pass.name);
-        context_.check_errors();
+        bench_.check_errors();
         return shown;
     }
 
-    [[nodiscard]] std::size_t programs() const { return programs_.list().size(); }
+    [[nodiscard]] std::size_t programs() const { return bench_.program_count(); }
 
 private:
-    static render::gl::Texture upload(const Light& light, GLenum format) {
-        render::gl::Texture texture{"scene colour", {.format = format, .size = light.size}};
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTextureSubImage2D(texture.name(), 0, 0, 0, static_cast<GLsizei>(light.size.x),
-                            static_cast<GLsizei>(light.size.y), GL_RGB, GL_FLOAT, light.texels.data());
-        return texture;
-    }
-
     void read_exposure(const render::FrameResources& resources, render::shared::AdaptedExposure& to) {
         const render::BufferHandle from = resources.adapted_exposure;
-        graph_.add_pass(
+        bench_.graph().add_pass(
             "read exposure",
             [&](render::PassBuilder& pass) {
                 pass.read(from, render::graph::Use::transfer);
@@ -121,19 +91,9 @@ private:
             });
     }
 
-    render::gl::Context context_{{}, true};
-    render::gl::ProgramRegistry programs_{render::embedded_shader};
-    render::SceneStore scene_;
-    render::PassSamplers samplers_{.nearest = render::gl::Sampler{"nearest", {}},
-                                   .linear = render::gl::Sampler{"linear", {}},
-                                   .depth_compare = render::gl::Sampler{"depth compare", {}}};
-    render::gl::StreamBuffer stream_{"stream", std::size_t{1} << 16};
-    render::DrawList nothing_;
-    render::DrawCounts counts_;
-    render::LuminancePass luminance_{programs_};
-    render::ExposurePass exposure_{programs_};
-    render::TonemapPass tonemap_{programs_};
-    render::RenderGraph graph_;
+    render::LuminancePass luminance_{bench_.programs()};
+    render::ExposurePass exposure_{bench_.programs()};
+    render::TonemapPass tonemap_{bench_.programs()};
 };
 
 }  // namespace rambla::tests

@@ -22,7 +22,7 @@ using tests::Light;
 using tests::Random;
 
 Light grey(float level) {
-    return {{5, 3}, glm::vec3{level}};
+    return Light{{5, 3}, glm::vec3{level}};
 }
 
 /// All of the difference is made up for, and nothing bounds it, so that the target is a number of stops.
