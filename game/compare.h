@@ -21,7 +21,6 @@ struct CompareMeasures {
     std::vector<double> update_ms{};      ///< of that, simulating one step
     std::vector<double> look_ms{};        ///< of that, culling and packing
     std::vector<std::string> features{};  ///< that were on
-    std::vector<std::string> not_made{};  ///< named by the comparison, but not put on
 };
 
 inline constexpr std::uint32_t k_compare_frames = 100;
@@ -32,9 +31,9 @@ inline constexpr glm::uvec2 k_compare_size_px{1280, 720};
     return frames / 5;
 }
 
-/// What a comparison forces on: a shadow map of 2048² texels with PCF that covers the scene, and FXAA, but
-/// for scenes that are compared without post effects. Exposure is fixed and nothing blooms. What else the
-/// user has chosen stays.
+/// What a comparison forces on: a shadow map of 2048² texels with PCF that covers the scene, and bloom
+/// and FXAA, but for scenes that are compared without post effects. Exposure is fixed. What else the user has
+/// chosen stays.
 [[nodiscard]] render::Settings compare_settings(render::Settings settings, std::string_view scene);
 
 /// Draws `frames` frames without a window, each complete before the next begins, one simulation step and one

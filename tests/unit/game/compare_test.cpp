@@ -19,8 +19,9 @@ TEST(Compare, ForcesItsEffectsOnAndLeavesTheRest) {
     EXPECT_EQ(blocks.shadows.size_texels, 2048);
     EXPECT_EQ(blocks.tone.curve, render::ToneCurve::filmic);
     EXPECT_EQ(blocks.exposure.mode, render::ExposureMode::fixed);
-    EXPECT_EQ(blocks.bloom.method, render::BloomMethod::off);
+    EXPECT_EQ(blocks.bloom.method, render::BloomMethod::pyramid);
     const render::Settings agents = compare_settings({}, "agents");
+    EXPECT_EQ(agents.bloom.method, render::BloomMethod::off);
     EXPECT_EQ(agents.anti_aliasing.method, render::AntiAliasing::none);
     EXPECT_EQ(agents.shadows.size_texels, 2048);
 }
@@ -39,7 +40,6 @@ TEST(Compare, StatesMedianAndTenths) {
         measures.look_ms.push_back(0.5);
     }
     measures.features = {"hdr", "fxaa"};
-    measures.not_made = {"bloom"};
     const nlohmann::json json = compare_json(measures);
     EXPECT_EQ(json["schema"], "rambla.compare/1");
     EXPECT_EQ(json["counted"], 11);
@@ -49,8 +49,7 @@ TEST(Compare, StatesMedianAndTenths) {
     EXPECT_EQ(json["update_ms_median"], 5.0);
     EXPECT_EQ(json["look_ms_p90"], 0.5);
     EXPECT_EQ(json["features"], (nlohmann::json{"hdr", "fxaa"}));
-    EXPECT_EQ(json["features_missing"], nlohmann::json::array({"bloom"}));
-    EXPECT_THAT(compare_text(measures), testing::HasSubstr("features=hdr,fxaa missing=bloom"));
+    EXPECT_THAT(compare_text(measures), testing::HasSubstr("features=hdr,fxaa"));
 }
 
 }  // namespace
