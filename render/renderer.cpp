@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "assets/assert.h"
-#include "render/capture.h"
 #include "render/draw.h"
-#include "render/exposure_capture.h"
+#include "render/frame_captures.h"
 #include "render/frame_uniforms.h"
 #include "render/gl/calls.h"
 #include "render/gl/context.h"
@@ -69,57 +68,8 @@ struct InFlight {
     GLsync fence = nullptr;
     bool is_warm_up = false;
     FrameOutput output;
-    Capture display;
-    Capture linear;
-    Capture glowing;
-    Capture objects;
-    Capture positions;
-    Capture normals;
-    ExposureCapture exposure;
-
-    void add_scene_captures(RenderGraph& graph, const FrameResources& resources);
-    void add_display_captures(RenderGraph& graph, const FrameResources& resources);
-    void take_captures();
+    FrameCaptures captures;
 };
-
-void capture(Capture& capture, RenderGraph& graph, const char* name, TextureHandle texture, CapturedAs what,
-             float scale = 1.0f) {
-    if (texture.valid()) {
-        capture.add(graph, name, texture, what, scale);
-    } else {
-        capture.release();
-    }
-}
-
-/// Of what is between scene and display.
-void InFlight::add_scene_captures(RenderGraph& graph, const FrameResources& resources) {
-    const systems::CaptureRequest& wanted = resources.frame.capture;
-    capture(linear, graph, "capture linear", wanted.linear ? resources.scene_colour : TextureHandle{},
-            CapturedAs::floats, 1.0f / resources.exposure);
-    capture(objects, graph, "capture objects", wanted.objects ? resources.objects : TextureHandle{},
-            CapturedAs::objects);
-    capture(positions, graph, "capture positions", resources.read_positions, CapturedAs::floats);
-    capture(normals, graph, "capture normals", resources.read_normals, CapturedAs::floats);
-}
-
-/// Of what passes after the scene have made.
-void InFlight::add_display_captures(RenderGraph& graph, const FrameResources& resources) {
-    const systems::CaptureRequest& wanted = resources.frame.capture;
-    capture(glowing, graph, "capture glowing", wanted.glowing ? resources.scene_colour : TextureHandle{},
-            CapturedAs::floats, 1.0f / resources.exposure);
-    capture(display, graph, "capture display", wanted.display ? resources.backbuffer : TextureHandle{},
-            CapturedAs::bytes);
-}
-
-void InFlight::take_captures() {
-    if (display.pending()) output.display = display.take();
-    if (exposure.pending()) output.feedback.exposure = exposure.take();
-    if (linear.pending()) output.linear = linear.take();
-    if (glowing.pending()) output.glowing = glowing.take();
-    if (objects.pending()) output.objects = objects.take_objects();
-    if (positions.pending())
-        output.surfaces = SurfaceImages{.positions = positions.take(), .normals = normals.take()};
-}
 
 }  // namespace
 
@@ -290,10 +240,9 @@ void Renderer::State::draw_passes(const FrameInput& input, InFlight& slot) {
     const bool as_texture = context.headless() || wanted.display;
     resources.backbuffer = import_backbuffer(frame.view.shown_px(), as_texture);
     scene_passes.add(graph, resources);
-    slot.add_scene_captures(graph, resources);
+    slot.captures.add_from_scene(graph, resources);
     display_passes.add(graph, resources);
-    slot.exposure.add(graph, resources.adapted_exposure);
-    slot.add_display_captures(graph, resources);
+    slot.captures.add_from_display(graph, resources);
     graph.execute(input.timers);
     if (as_texture && !context.headless()) {
         const auto width = static_cast<GLint>(frame.view.shown_px().x);
@@ -391,7 +340,7 @@ bool Renderer::State::take_oldest(std::vector<FrameOutput>& outputs, bool wait) 
                                    .cpu_begin = pass.cpu_begin,
                                    .gpu_begin = pass.gpu_begin});
     }
-    frame.take_captures();
+    frame.captures.take(frame.output);
     if (!frame.is_warm_up) outputs.push_back(std::move(frame.output));
     return true;
 }
