@@ -90,6 +90,10 @@ TEST_F(TraceProgram, AWalkHasEverySystemAndEveryPassOfEveryFrame) {
 
     const nlohmann::json& table = result["pass_table"]["passes"];
     ASSERT_GE(table.size(), 5u);
+    // The average luminance is found in steps of one name: from 96 pixels across to 24, 6, 2 and 1.
+    const auto wanted = [](const nlohmann::json& pass) {
+        return pass["name"] == "luminance" ? 4u : 1u;
+    };
     for (const char* const side : {"pass,cpu", "pass,gpu"}) {
         const auto of_frames = runs(read.of(side), "frame");
         for (const nlohmann::json& pass : table) {
@@ -98,7 +102,7 @@ TEST_F(TraceProgram, AWalkHasEverySystemAndEveryPassOfEveryFrame) {
             for (std::uint64_t frame = 0; frame < k_frames; ++frame) {
                 const auto found = of_frames.find({pass["name"], frame});
                 ASSERT_NE(found, of_frames.end()) << side << ' ' << pass["name"] << ' ' << frame;
-                EXPECT_EQ(found->second, 1u) << side << ' ' << pass["name"] << ' ' << frame;
+                EXPECT_EQ(found->second, wanted(pass)) << side << ' ' << pass["name"] << ' ' << frame;
             }
         }
     }
