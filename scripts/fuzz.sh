@@ -1,9 +1,10 @@
 # Sourced by ./test: runs the fuzz targets, see tests/fuzz/README.md.
 
-# fuzz SECONDS [TARGET...]: each target for so long, all of them by default, one after the other. What they find lies in
-# build/fuzz/findings; the inputs that reached new code stay in build/fuzz/corpus for the next time.
+# fuzz SECONDS [TARGET...]: each target for so long, all of them by default, two beside each other, since each takes one
+# processor. What they find lies in build/fuzz/findings; the inputs that reached new code stay in build/fuzz/corpus for the
+# next time.
 fuzz() {
-    local seconds="$1" folder="$root/build/fuzz" target found=0
+    local seconds="$1" folder="$root/build/fuzz" target found=0 running=0
     shift
     build asan rambla_fuzzers
     rm -rf "$folder/seeds"
@@ -11,8 +12,17 @@ fuzz() {
     mkdir -p "$folder/findings"
     [ $# -gt 0 ] || set -- $(cd "$root/tests/fuzz/targets" && ls -- *.cpp | sed 's/\.cpp$//')
     for target in "$@"; do
+        if [ $running -eq 2 ]; then
+            wait -n || found=1
+            running=1
+        fi
         say "Fuzzing $target for $seconds s"
-        fuzz_one "$target" "$seconds" || found=1
+        fuzz_one "$target" "$seconds" &
+        running=$((running + 1))
+    done
+    while [ $running -gt 0 ]; do
+        wait -n || found=1
+        running=$((running - 1))
     done
     [ $found -eq 0 ] || say "Findings are in $folder/findings"
     return $found
@@ -30,7 +40,7 @@ fuzz_one() {
         -rss_limit_mb=2048 -malloc_limit_mb=512 -print_final_stats=1 ${dictionary:+"$dictionary"} \
         -artifact_prefix="$folder/findings/$target-" "$corpus" "$folder/seeds/$target" >"$log" 2>&1 || status=1
     if [ $status -ne 0 ]; then
-        tail -n 60 "$log" >&2
+        { say "$target failed: the end of $log"; tail -n 60 "$log"; } >&2
     fi
     awk -v target="$target" '/stat::number_of_executed_units/ { runs = $2 }
         { for (i = 1; i < NF; ++i) { if ($i == "cov:") edges = $(i + 1); if ($i == "ft:") features = $(i + 1) } }
