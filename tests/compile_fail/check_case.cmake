@@ -1,4 +1,5 @@
-# cmake -DCOMPILER=… -DCASE=file.cpp -DFOLDERS=include;folders -P check_case.cmake
+# cmake "-DCOMPILER=compiler;and;its;flags" -DCASE=file.cpp -DHEADER=file.h -P check_case.cmake
+# HEADER comes before the case; it should have been compiled with the same flags.
 
 file(STRINGS ${CASE} expectations REGEX "^// says: ")
 list(LENGTH expectations count)
@@ -7,10 +8,7 @@ if(NOT count EQUAL 1)
 endif()
 string(REGEX REPLACE "^// says: " "" expected "${expectations}")
 
-set(command ${COMPILER} -std=c++20 -Wall -Wextra -Werror -fsyntax-only)
-foreach(folder IN LISTS FOLDERS)
-  list(APPEND command -I ${folder})
-endforeach()
+set(command ${COMPILER} -fsyntax-only -include ${HEADER})
 
 execute_process(COMMAND ${command} ${CASE} RESULT_VARIABLE result ERROR_VARIABLE text)
 if(NOT result EQUAL 0)
