@@ -38,7 +38,7 @@ TEST(Caption, StandsAtTheLowerLeft) {
 
 TEST(Caption, LongWordsTakeMoreLinesAndStayInThePicture) {
     CaptionWriter writer;
-    const glm::vec4 box = box_of(drawn(writer, std::string(150, 'w') + " end", {320, 240}));
+    const glm::vec4 box = box_of(drawn(writer, std::string(150, 'w').append(" end"), {320, 240}));
     EXPECT_LT(box.y, 200.0f);
     EXPECT_LE(box.z, 320.0f);
     EXPECT_LE(box.w, 240.0f);
