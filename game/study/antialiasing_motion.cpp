@@ -50,13 +50,14 @@ systems::Eye turned(const systems::Eye& eye, std::uint32_t frame) {
     return turned;
 }
 
-/// Successive pictures; before the first, as many as the grade wants.
+/// A film; before its first picture, as many as the grade wants.
 template <class DrawFrame>
 Pictures sequence(StudyContext& context, PictureGrade grade, std::uint32_t frames, DrawFrame&& draw_frame) {
     Pictures pictures;
     for (std::uint32_t frame = 0; frame < frames && !context.stopped(); ++frame) {
         pictures.push_back(to_picture(draw_frame(grade, frame)));
         grade.frames_before = 0;
+        grade.follows = true;
     }
     return pictures;
 }
