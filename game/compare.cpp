@@ -73,6 +73,7 @@ render::Settings compare_settings(render::Settings settings, std::string_view sc
                         .taps = render::ShadowTaps::sixteen,
                         .distance_m = 400.0f};  // from any eye of the way to the plane's farthest corner
     settings.exposure.mode = render::ExposureMode::fixed;
+    settings.bloom = {};
     const bool post_effects = has_post_effects(scene);
     settings.bloom.method = post_effects ? render::BloomMethod::pyramid : render::BloomMethod::off;
     settings.anti_aliasing.method = post_effects ? render::AntiAliasing::fxaa : render::AntiAliasing::none;

@@ -62,9 +62,12 @@ void add_fields_option(CLI::App& command, const std::string& name, std::string_v
 
 /// What --exposure says, where a number alone stands for `fixed:ev=` that number.
 std::string exposure_method_text(const std::string& text) {
+    const std::string_view number = std::string_view{text}.substr(text.starts_with('+') ? 1 : 0);
     double ev = 0.0;
-    const char* const end = text.data() + text.size();
-    if (std::from_chars(text.data(), end, ev).ptr == end) return fmt::format("fixed:ev={}", text);
+    const char* const end = number.data() + number.size();
+    if (!number.empty() && std::from_chars(number.data(), end, ev).ptr == end) {
+        return fmt::format("fixed:ev={}", number);
+    }
     const std::string_view method = std::string_view{text}.substr(0, text.find(':'));
     const auto& modes = render::k_exposure_modes;
     const bool is_method = std::find(modes.begin(), modes.end(), method) != modes.end();
@@ -78,11 +81,16 @@ void add_exposure_option(CLI::App& command, Options& options) {
     add_method_option(command, "--exposure", render::k_exposure_parameters, options.settings.exposure);
     command.get_option("--exposure")
         ->type_name("EV|METHOD[:name=value,...]")
-        ->transform([&options](const std::string& given) {
-            const std::string text = usage_checked("--exposure", [&] { return exposure_method_text(given); });
-            if (text.find("ev=") != std::string::npos) options.own_exposure = true;
-            return text;
-        });
+        ->transform(CLI::Validator{[&options](std::string& text) {
+                                       try {
+                                           text = exposure_method_text(text);
+                                       } catch (const std::invalid_argument& error) {
+                                           return std::string{error.what()};
+                                       }
+                                       if (text.find("ev=") != std::string::npos) options.own_exposure = true;
+                                       return std::string{};
+                                   },
+                                   ""});
 }
 
 }  // namespace

@@ -180,8 +180,9 @@ Command add_walk(CLI::App& program) {
             "on; "
             "writes no pictures",
             k_compare_size_px.x, k_compare_size_px.y, k_compare_frames));
-    for (CLI::Option* const other : {no_render, stats, out, format, profile, graph, trace,
-                                     line->get_option("--shadows"), line->get_option("--aa")})
+    for (CLI::Option* const other :
+         {no_render, stats, out, format, profile, graph, trace, line->get_option("--shadows"),
+          line->get_option("--aa"), line->get_option("--exposure"), line->get_option("--bloom")})
         compare->excludes(other);
     return {line, [command] {
                 return run(*command);

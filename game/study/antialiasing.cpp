@@ -31,7 +31,10 @@ void run(StudyContext& context, StudyResult& result) {
         "How jagged does each method leave edges of geometry, what does it blur that is no edge, what "
         "flickers and what trails behind motion, and for how many milliseconds and bytes? The street at "
         "noon, without glow, at a fixed exposure. Milliseconds are those of passes that are not there "
-        "without anti-aliasing, and how much longer those take that write more with it.";
+        "without anti-aliasing, and how much longer those take that write more with it. "
+        "Those of taa are of a picture at rest: where the eye moves it filters its past, and what moves is "
+        "drawn once "
+        "more.";
     result.reference =
         "The mean of 64 pixels for one that is shown (ssaa:samples=8; 16 for moving pictures), in linear "
         "light of the display: the pixel of a straight edge is off by 1/16 of its contrast at most. Edges "

@@ -48,7 +48,8 @@ private:
     Object<DeleteProgram> object_;
 };
 
-/// All programs of a renderer. Passes ask for theirs once, when they are constructed.
+/// All programs of a renderer. Passes ask for theirs when they first need them; what has been asked for
+/// stays.
 class ProgramRegistry {
 public:
     explicit ProgramRegistry(ShaderSource source);

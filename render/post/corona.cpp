@@ -15,13 +15,16 @@ void CoronaPass::add(RenderGraph& graph, FrameResources& resources) {
                                    .defines = {}});
         no_vertices_.emplace("corona");
     }
+    // Temporal anti-aliasing shifts the view that is drawn with, and has taken that back by now.
+    const gl::BufferRange clip_from_view = resources.stream.upload_value(resources.frame.view.clip_from_view);
     graph.add_pass(
         "corona",
         [&](PassBuilder& pass) {
             pass.read(resources.depth);
             resources.scene_colour = pass.write_colour(0, resources.scene_colour, LoadOp::load);
         },
-        [this, &resources, lights, depth = resources.depth](PassContext& context) {
+        [this, &resources, lights, clip_from_view, depth = resources.depth](PassContext& context) {
+            clip_from_view.bind(GL_UNIFORM_BUFFER, BINDING_PASS_UNIFORMS);
             context.bind_texture(UNIT_PASS, depth, resources.samplers.nearest);
             glEnable(GL_BLEND);
             glBlendFunc(GL_ONE, GL_ONE);

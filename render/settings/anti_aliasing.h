@@ -42,7 +42,8 @@ inline constexpr std::array<std::string_view, 3> k_anti_aliasing_qualities{"low"
 
 inline constexpr std::array k_anti_aliasing_parameters{
     parameter<&AntiAliasingParameters::method>("aa", k_anti_aliasing_methods,
-                                               "How jagged edges are smoothed."),
+                                               "How jagged edges are smoothed; taa by the mean of pictures "
+                                               "that follow each other within a second."),
     parameter<&AntiAliasingParameters::sobel_of>("of", k_sobel_of, "sobel: what edges are looked for in."),
     parameter<&AntiAliasingParameters::quality>("quality", k_anti_aliasing_qualities,
                                                 "fxaa and morphological: how faint edges may be, and how far "

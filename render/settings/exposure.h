@@ -38,8 +38,9 @@ inline constexpr std::array k_exposure_parameters{
                                        "as white."),
     parameter<&ExposureParameters::luminance>("luminance", k_luminance_methods,
                                               "auto: how the average is taken, by passes that average 4x4 "
-                                              "pixels, by a compute shader, or by mip levels of floats or "
-                                              "half floats."),
+                                              "pixels, by a compute shader, or, to compare with, by mip "
+                                              "levels of floats or half floats, which are right only for "
+                                              "sizes that are powers of two."),
     parameter<&ExposureParameters::delta>("delta", "", 1e-6, 1,
                                           "auto: added to each luminance, so that black has a logarithm."),
     parameter<&ExposureParameters::key>("key", "", 0.01, 1,

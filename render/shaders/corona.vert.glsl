@@ -11,6 +11,10 @@ layout(std430, binding = BINDING_LIGHTS) readonly buffer LightBlock {
     Light lights[];
 };
 
+layout(std140, binding = BINDING_PASS_UNIFORMS) uniform ShownViewBlock {
+    mat4 shown_clip_from_view;  ///< as the picture is shown; depths are those of the view that was drawn
+};
+
 out vec2 place_deg;           ///< from the lamp's middle
 flat out vec3 illuminance;    ///< at the eye, pre-exposed, of what is seen of the lamp
 flat out float lamp_deg;      ///< how large half the lamp is seen
@@ -63,6 +67,6 @@ void main() {
     vec3 right = normalize(cross(ahead, vec3(0.0, 1.0, 0.0)) + vec3(1e-6, 0.0, 0.0));
     vec3 up = cross(right, ahead);
     float half_size_m = distance_m * tan(radians(k_corona_deg));
-    vec4 clip = frame.clip_from_view * vec4(lamp_m + half_size_m * (side.x * right + side.y * up), 1.0);
+    vec4 clip = shown_clip_from_view * vec4(lamp_m + half_size_m * (side.x * right + side.y * up), 1.0);
     gl_Position = vec4(clip.xy, 0.0, clip.w);
 }

@@ -105,7 +105,10 @@ Past past(ivec2 pixel) {
     bool is_inside = all(greaterThanEqual(place_px, vec2(0.0))) && all(lessThan(place_px, frame.size_px.xy));
     if (!is_inside) place_px = gl_FragCoord.xy;
     Kept was = kept(texelFetch(history, ivec2(place_px), 0).a);
-    bool hidden = was_hidden(was.depth, should_be, near.slope, slack);
+    // What moved and has gone on hid what is there now, however close to it: a foot on the ground is nearer by less than
+    // depths are known.
+    bool gone_on = was.moved && !moved;
+    bool hidden = gone_on || was_hidden(was.depth, should_be, near.slope, slack);
     bool missed = hidden && !moved && !was.moved && is_still_there(near_px, was.depth, motion);
     if (!is_inside || (hidden && !missed)) was.pictures = 0u;
     // What is not seen has not gone away.
@@ -117,7 +120,8 @@ Past past(ivec2 pixel) {
     vec4 texel = texelFetch(history, pixel, 0);
     Kept was = kept(texel.a);
     Nearest near = nearest(pixel);
-    bool missed = was_hidden(was.depth, near.depth, near.slope, k_kept_depth_slack);
+    if (was.moved) was.pictures = 0u;  // it has gone on, or come to rest
+    bool missed = !was.moved && was_hidden(was.depth, near.depth, near.slope, k_kept_depth_slack);
     float depth = missed ? was.depth : near.depth;
     return Past(compressed(temporal.history.y * texel.rgb), was, depth, near.depth, 0.0, missed, false);
 }

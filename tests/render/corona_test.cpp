@@ -55,6 +55,20 @@ TEST(Corona, SurroundsALampThatIsSeen) {
         EXPECT_EQ(with.display(corner, corner), without.display(corner, corner)) << "it ends";
 }
 
+TEST(Corona, RestsWhereTemporalAntiAliasingShiftsThePictureThatIsDrawn) {
+    Night night;
+    night.stage.settings.anti_aliasing.method = render::AntiAliasing::taa;
+    static_cast<void>(night.stage.draw());
+    Picture before = night.stage.draw_next();
+    constexpr int k_jitters = 8;
+    for (int i = 0; i < k_jitters; ++i) {
+        const Picture picture = night.stage.draw_next();
+        ASSERT_TRUE(picture.has_pass("corona"));
+        EXPECT_EQ(picture.bytes, before.bytes) << "nothing but the corona is seen, and nothing moves";
+        before = picture;
+    }
+}
+
 TEST(Corona, HasAHaloThatIsRedOutsideAndBlueInside) {
     Night night;
     const Picture with = night.stage.draw();

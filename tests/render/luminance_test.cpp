@@ -131,7 +131,8 @@ TEST_P(Luminance, TakesInfiniteAndUndefinedPixelsForBlackAndCountsThem) {
         EXPECT_EQ(with_black.exposure->seen.y, 0.0f);
         EXPECT_EQ(with_bad.exposure->seen.y, 1.0f);
         EXPECT_EQ(with_bad.exposure->seen.x, with_black.exposure->seen.x);
-        EXPECT_EQ(with_bad.bytes.size(), with_black.bytes.size());
+        for (std::size_t i = 0; i < grey.texels.size(); ++i)
+            ASSERT_TRUE(i == 100 || with_bad.display(i) == with_black.display(i)) << i;
     }
 }
 

@@ -72,12 +72,13 @@ int frames_at(int speed_px) {
     return std::min(24, 8 + 160 / speed_px);
 }
 
-Passer box_of(int speed_px) {
+/// @param before_m  how far before the wall, which is 5 m from the eye
+Passer box_of(int speed_px, float before_m = 1.0f) {
     const auto left = [speed_px](int frame) {
         return static_cast<float>(-56 + speed_px * frame);
     };
-    const auto place = [left](int frame) {
-        return World::rectangle({left(frame), -20}, {left(frame) + k_box_px, 20}, 1.0f);
+    const auto place = [left, before_m](int frame) {
+        return World::rectangle({left(frame), -20}, {left(frame) + k_box_px, 20}, before_m);
     };
     return {
         .add =
@@ -103,6 +104,12 @@ void expect_no_trail(const Trail& trail, int speed_px) {
 TEST(TemporalAntiAliasing, ABoxThatPassesLeavesNoTrailOfMoreThanThreePictures) {
     for (const int speed_px : {1, 2, 3, 5, 8, 13, 20})
         expect_no_trail(trail_of(box_of(speed_px)), speed_px);
+}
+
+TEST(TemporalAntiAliasing, NoTrailIsLeftByWhatPassesCloserThanDepthsAreKnown) {
+    for (const float before_m : {0.05f, 0.14f})
+        for (const int speed_px : {2, 5, 13})
+            expect_no_trail(trail_of(box_of(speed_px, before_m)), speed_px);
 }
 
 /// Its left side goes on evenly, its right side swings.

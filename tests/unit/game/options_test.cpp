@@ -61,6 +61,7 @@ TEST_F(CommandLine, ErrorsNameOptionValueAndRange) {
     EXPECT_THAT(text, testing::HasSubstr("size is '100', expected a whole number from 256 to 8192 texels"));
     EXPECT_THAT(complaint("--exposure bright"),
                 testing::HasSubstr("exposure is 'bright', expected a number of EV or one of: fixed, auto"));
+    EXPECT_THAT(complaint("--exposure bright"), testing::Not(testing::HasSubstr("--exposure: --exposure")));
     EXPECT_THAT(complaint("--exposure 17"), testing::HasSubstr("ev is '17', expected -16 to 16 EV"));
     EXPECT_THAT(complaint("--threads 0"), testing::HasSubstr("--threads"));
     EXPECT_THAT(complaint("--nonsense"), testing::HasSubstr("--nonsense"));
@@ -105,6 +106,8 @@ TEST_F(CommandLine, ExposureIsANumberOrAMethod) {
     parse("--exposure auto:ev=2");
     EXPECT_EQ(options.settings.exposure.mode, render::ExposureMode::automatic);
     EXPECT_TRUE(options.own_exposure);
+    parse("--exposure +1");
+    EXPECT_EQ(options.settings.exposure.ev, 1.0f);
     parse("--exposure -3");
     EXPECT_EQ(options.settings.exposure.mode, render::ExposureMode::fixed);
     EXPECT_EQ(options.settings.exposure.ev, -3.0f);
