@@ -142,26 +142,26 @@ TEST(MotionVectors, OfAThingThatTurnsAndGrows) {
     expect_exact(move);
 }
 
-TEST(MotionVectors, OfAThingThatSlidesWhileTheCameraMovesAndTurns) {
-    Move move;
+/// @param move  must outlive what it does
+void slide_while_the_camera_moves(Move& move) {
     place_and_move(move, moved({-0.3f, 0.1f, 0.0f}), moved({0.1f, -0.1f, 0.4f}));
     const auto slide = move.go;
     move.go = [&move, slide](Stage& stage) {
         slide(stage);
         move.look({0.6f, 0.1f, 3.7f}, {0.1f, 0.05f, 0});
     };
+}
+
+TEST(MotionVectors, OfAThingThatSlidesWhileTheCameraMovesAndTurns) {
+    Move move;
+    slide_while_the_camera_moves(move);
     expect_exact(move);
 }
 
 TEST(MotionVectors, AThousandKilometresAway) {
     Move move;
     move.start_at({3906250, -12, -3906250});
-    place_and_move(move, moved({-0.3f, 0.1f, 0.0f}), moved({0.1f, -0.1f, 0.4f}));
-    const auto slide = move.go;
-    move.go = [&move, slide](Stage& stage) {
-        slide(stage);
-        move.look({0.6f, 0.1f, 3.7f}, {0.1f, 0.05f, 0});
-    };
+    slide_while_the_camera_moves(move);
     expect_exact(move);
 }
 
